@@ -1,0 +1,122 @@
+#pragma once
+// The recorded datapath of one unit: a typed, acyclic graph of operators, written once and then evaluated, counted, scheduled and
+// emitted. A scheme builds it with the functions of Netlist, each of which appends one node and returns its wire, so that the code reads
+// like the equations of the paper.
+//
+// Operators and what they mean (fixed point; the double evaluation computes the same without truncation, and wraps full turns):
+//   input       a named port; real numbers that arrive are rounded to nearest once, here
+//   constant    a named constant, rounded to nearest
+//   add, sub    exact sum, then the rounding rule of format.h
+//   mul         exact product, then the rounding rule
+//   div         sign-magnitude restoring division: floor(|a| 2^s / b) in `width` magnitude bits, sign of a; b unsigned.
+//               s makes the quotient's fraction. The low magnitude bits are kept; b = 0 gives all ones (of the magnitude)
+//   sqrt        floor(sqrt(a)) of an unsigned word, to the result's fraction
+//   table       turns an index into a ROM address; `column` nodes are its outputs
+//   shift       wiring: a * 2^k, then the rounding rule; k = 0 only changes the format
+//   negate      two's complement; absolute: negate if negative (both then wrap to the format)
+//   half_turn   adds half a turn to a full-turn angle: inverts the top bit
+//   clamp       saturates to constant bounds [low, high]
+//   select      first operand is a flag: second if set, else third
+//   is_negative sign bit as a flag
+//   is_beyond_quarter  flag: a full-turn angle lies in [1/4, 1/2) or [-1/2, -1/4): exclusive or of its two top bits
+// Multipliers, adders (a subtractor is an adder), dividers, square roots and tables are what Table 1 of Lee 2007 lists; everything else
+// is listed apart.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "datapath/format.h"
+#include "datapath/table.h"
+
+namespace bump {
+
+enum class Op : std::uint8_t {
+  input, constant, add, sub, mul, div, sqrt, table, column, shift, negate, absolute, half_turn, clamp, select, is_negative, is_beyond_quarter
+};
+
+const char* name_of(Op op);
+
+/// A wire is the output of a node; valid only with the netlist that made it.
+struct Wire {
+  int node = -1;
+};
+
+struct Node {
+  Op op = Op::input;
+  std::string name;          ///< unique within the netlist, e.g. "L.theta_x"
+  std::string equation;      ///< source, e.g. "Eq 7"; may be empty
+  std::vector<int> operands; ///< nodes, earlier in the list
+  Format format{};
+  int amount = 0;            ///< shift: k; column: index of the column
+  int table = -1;            ///< table: index into Netlist::tables()
+  double value = 0;          ///< constant
+  double low = 0, high = 0;  ///< clamp
+  bool addition = false;     ///< not part of the published count: see Netlist::begin_addition
+};
+
+class Netlist {
+ public:
+  explicit Netlist(std::string name = "");
+
+  Wire input(const std::string& name, Format format);
+  Wire constant(const std::string& name, double value, Format format);
+  Wire add(const std::string& name, Wire a, Wire b, Format format, const std::string& equation = "");
+  Wire sub(const std::string& name, Wire a, Wire b, Format format, const std::string& equation = "");
+  Wire mul(const std::string& name, Wire a, Wire b, Format format, const std::string& equation = "");
+  Wire div(const std::string& name, Wire a, Wire b, Format format, const std::string& equation = "");
+  Wire sqrt(const std::string& name, Wire a, Format format, const std::string& equation = "");
+  /// One wire per column, in the table's order. The node is called `name`, its columns `name.column`.
+  std::vector<Wire> table(const std::string& name, const TablePtr& table, Wire index, const std::string& equation = "");
+  Wire shift(const std::string& name, Wire a, int k, Format format, const std::string& equation = "");
+  Wire negate(const std::string& name, Wire a, Format format, const std::string& equation = "");
+  Wire absolute(const std::string& name, Wire a, Format format, const std::string& equation = "");
+  Wire half_turn(const std::string& name, Wire a, const std::string& equation = "");
+  Wire clamp(const std::string& name, Wire a, double low, double high, Format format, const std::string& equation = "");
+  Wire select(const std::string& name, Wire flag, Wire if_set, Wire if_clear, Format format, const std::string& equation = "");
+  Wire is_negative(const std::string& name, Wire a);
+  Wire is_beyond_quarter(const std::string& name, Wire a);
+  void output(const std::string& name, Wire a);
+
+  /// Nodes recorded between these calls are additions to the published design (an in-plane angle, say): counted apart.
+  void begin_addition() { addition_ = true; }
+  void end_addition() { addition_ = false; }
+  /// Prefix "scope." for the names of nodes recorded while the Scope lives.
+  class Scope {
+   public:
+    Scope(Netlist& netlist, const std::string& name);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+   private:
+    Netlist& netlist_;
+    std::string outer_;
+  };
+
+  struct Port {
+    std::string name;
+    int node;
+  };
+
+  const std::string& name() const { return name_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<Port>& inputs() const { return inputs_; }
+  const std::vector<Port>& outputs() const { return outputs_; }
+  const std::vector<TablePtr>& tables() const { return tables_; }
+  const Format& format(Wire wire) const { return nodes_[static_cast<std::size_t>(wire.node)].format; }
+  /// The node called `name`, or -1.
+  int find(const std::string& name) const;
+
+ private:
+  Wire append(Node node);
+
+  std::string name_;
+  std::string prefix_;
+  bool addition_ = false;
+  std::vector<Node> nodes_;
+  std::vector<Port> inputs_, outputs_;
+  std::vector<TablePtr> tables_;
+};
+
+}  // namespace bump

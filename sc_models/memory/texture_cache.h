@@ -1,0 +1,29 @@
+#pragma once
+// Tags of the texture cache: set-associative, true LRU, in-order look-up, one tag array for all textures. Hit or miss depends on the order of
+// addresses only, so this is pure state without time; the memory port (timing_graph.h) dates the misses.
+
+#include <cstdint>
+#include <vector>
+
+namespace bump {
+
+struct CacheGeometry {
+  int sets = 32;        ///< power of two
+  int ways = 4;
+  int line_bytes = 64;  ///< power of two
+  bool operator==(const CacheGeometry& o) const { return sets == o.sets && ways == o.ways && line_bytes == o.line_bytes; }
+};
+
+class TextureCache {
+ public:
+  explicit TextureCache(const CacheGeometry& geometry);
+  /// Looks up the line that holds byte `address`, and fills it on a miss. True on a hit.
+  bool access(std::uint64_t address);
+  std::uint64_t line_of(std::uint64_t address) const;
+
+ private:
+  CacheGeometry geometry_;
+  std::vector<std::uint64_t> tags_;  ///< sets x ways, most recently used first; ~0 is empty
+};
+
+}  // namespace bump

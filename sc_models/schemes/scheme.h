@@ -1,0 +1,100 @@
+#pragma once
+// A bump-mapping scheme: what a paper proposes, as data and netlists. To add one, add a folder with a class derived from Scheme and one
+// BUMP_REGISTER_SCHEME line; the list, the comparison, the documentation, the generic tests and the sweeps find it by themselves.
+//
+// Names that connect the parts. The vertex program reads, in object space, per vertex and light:
+//   N.x N.y N.z  T.x T.y T.z  B.x B.y B.z   the vertex frame (unit vectors, B = N x T up to handedness)
+//   L.x L.y L.z   towards the light: unit for a directional light, light position minus vertex for a point light
+//   V.x V.y V.z   towards the eye: eye position minus vertex
+// Its outputs are the interpolants, one for one. An output that does not depend on L is computed and interpolated once for all lights.
+// The per-pixel netlists (conversion, environment, illumination) read interpolants, "map.<channel>" and outputs of the netlists before
+// them by name, and run once per light. The illumination netlist has one output, "intensity": diffuse plus specular, without ambient, for a
+// light of intensity 1. The colour unit that every scheme shares adds ambient and multiplies by the colour texel.
+
+#include <glm/glm.hpp>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "channels/parameters.h"
+#include "datapath/netlist.h"
+#include "units/scene.h"
+
+namespace bump {
+
+enum class InterpolantKind {
+  linear,       ///< perspective-correct
+  angle,        ///< turns: perspective-correct along the short way round
+  flat_angle    ///< turns: constant over the triangle, its first corner's value
+};
+
+struct Interpolant {
+  std::string name;  ///< the vertex program's output and the plane
+  InterpolantKind kind = InterpolantKind::linear;
+};
+
+/// How the scheme stores N' in its bump map.
+struct BumpEncoding {
+  struct Channel {
+    std::string name;                            ///< plane "map.<name>"
+    Format format{};                             ///< of the stored texel
+    ChannelKind kind = ChannelKind::linear;
+  };
+  std::vector<Channel> channels;
+  std::function<void(const glm::dvec3& normal, double* channels)> encode;  ///< from a unit tangent-space normal
+  bool filterable = true;  ///< false: nearest texel whatever the configured filter (polar maps: phi is undefined on flat texels)
+  std::string note;        ///< why, one line
+};
+
+/// A direction that the environment unit delivers, for the report of angular errors.
+struct DeliveredDirection {
+  enum class Of { light, half } of = Of::light;
+  enum class Frame {
+    tangent,  ///< x = T, y = B, z = N of the interpolated, orthonormalised frame
+    polar     ///< x = e_theta, y = e_phi, z = N: Lee's rotation, singular at the poles of the object's z axis
+  } frame = Frame::tangent;
+  std::vector<std::string> planes;  ///< three: Cartesian x, y, z (any length); two: phi, theta in turns
+};
+
+struct Design {
+  Netlist vertex{"vertex"};
+  std::vector<Interpolant> interpolants;
+  std::optional<Netlist> conversion;  ///< per-pixel work in front of the environment unit that the paper assumes given; reported apart
+  Netlist environment{"environment"};
+  Netlist illumination{"illumination"};
+  BumpEncoding map;
+  std::vector<DeliveredDirection> directions;
+  double quantisation_floor_db = 0;  ///< fixed point against the scheme's own double evaluation: a run below it fails its self-check
+};
+
+/// Where a scheme comes from, for `list`, `describe` and the reports.
+struct SchemePage {
+  std::string id;          ///< folder name, e.g. "lee2007"
+  std::string title;       ///< one line
+  std::string source;      ///< paper
+  std::string provenance;  ///< "as published", "reconstruction", "this project's"
+  std::string summary;     ///< two or three sentences
+};
+
+class Scheme {
+ public:
+  virtual ~Scheme() = default;
+  virtual const SchemePage& page() const = 0;
+  /// Declares the scheme's parameters; keys start with its id.
+  virtual void declare(Parameters& parameters) const = 0;
+  /// Table contents follow the material; the structure must not. Throws Error(input) when parameters contradict one another.
+  virtual Design design(const Configuration& configuration, const Material& material) const = 0;
+};
+
+/// All registered schemes in order of id.
+std::vector<const Scheme*> all_schemes();
+/// Throws Error(input) with the nearest id.
+const Scheme& find_scheme(const std::string& id);
+
+bool register_scheme(std::unique_ptr<Scheme> scheme);
+#define BUMP_REGISTER_SCHEME(Type) static const bool registered_##Type = ::bump::register_scheme(std::make_unique<Type>())
+
+}  // namespace bump

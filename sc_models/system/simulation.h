@@ -1,0 +1,107 @@
+#pragma once
+// Builds the pipeline for a scene, a scheme and a configuration, runs it under one of the two engines, and collects everything that was
+// counted. One simulation per process (SystemC elaborates once).
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "channels/parameters.h"
+#include "channels/timing_graph.h"
+#include "datapath/inventory.h"
+#include "schemes/scheme.h"
+#include "units/scene.h"
+
+namespace bump {
+
+enum class Engine { dated, stepped };
+
+struct SimulationOptions {
+  Engine engine = Engine::dated;
+  std::string trace;  ///< path of a VCD, stepped engine only; empty for none
+  /// Called now and then with the share of triangles done, 0 to 1.
+  std::function<void(double)> progress;
+  /// Polled; when set, the simulation stops with an Error.
+  const std::atomic<bool>* cancelled = nullptr;
+};
+
+/// A frame in double precision, row 0 on top, three channels interleaved, display values in [0, 1].
+struct FrameBuffer {
+  int width = 0, height = 0;
+  std::vector<double> colour;
+  std::vector<std::int32_t> object;  ///< index into Scene::objects, -1 for background
+  std::vector<double> depth;         ///< z / w in [0, 1]; 1 for background
+};
+
+/// Cost of one netlist of the pipeline.
+struct UnitCost {
+  std::string name;        ///< "environment", "illumination", "vertex", "conversion", "interpolators", "colour"
+  Inventory published;     ///< what the paper's table lists
+  Inventory addition;      ///< what the design needs beside it
+  int latency = 0;         ///< cycles, from the schedule
+  int initiation_interval = 1;
+  int multipliers_built = 0;       ///< after sharing
+  std::int64_t executions = 0;     ///< times the whole netlist was executed (tokens x lights)
+};
+
+struct TableUse {
+  std::string unit, name, formula;
+  std::int64_t entries = 0;
+  std::int64_t bits = 0;       ///< of one copy
+  int copies = 1;              ///< reads in parallel (and materials, where contents follow the material)
+  std::int64_t reads = 0;      ///< in the whole run
+  bool addition = false;
+};
+
+struct TextureCounters {
+  std::int64_t reads = 0;   ///< texels
+  std::int64_t accesses = 0, hits = 0, misses = 0;  ///< cache lines looked up
+  std::int64_t bytes = 0;   ///< moved from memory
+};
+
+struct GeometryCounters {
+  std::int64_t vertices = 0;        ///< transformed
+  std::int64_t vertex_reuses = 0;   ///< found in the post-transform cache
+  std::int64_t triangles = 0;       ///< that entered
+  std::int64_t triangles_clipped = 0, triangles_culled = 0, triangles_empty = 0;
+  std::int64_t fragments_generated = 0, fragments_hidden = 0, fragments = 0;  ///< covered, killed by early z, shaded
+  std::int64_t fragments_retired = 0;  ///< arrived in the frame sink
+};
+
+struct AngularError {
+  std::string vector;  ///< "L'", "H'"
+  std::int64_t count = 0;
+  double mean_degrees = 0, rms_degrees = 0, max_degrees = 0;
+};
+
+struct Bound {
+  double cycles = 0;  ///< no configuration of the other parts can be faster
+  std::string by;     ///< "environment: initiation interval", "memory: bandwidth", ...
+};
+
+struct SimulationResult {
+  TimingResult timing;
+  std::int64_t fragments = 0;
+  Bound bound;
+  std::vector<UnitCost> units;
+  std::vector<TableUse> tables;
+  TextureCounters texture;
+  GeometryCounters geometry;
+  FrameBuffer hardware;        ///< what the simulated hardware drew
+  FrameBuffer exact;           ///< the same with the scheme's double evaluation (a copy when the arithmetic is double)
+  std::vector<AngularError> angular_errors;            ///< of the hardware's vectors
+  std::vector<AngularError> angular_errors_exact;      ///< of the scheme's double evaluation
+  int interpolator_components = 0;                     ///< besides u, v
+  double quantisation_floor_db = 0;
+  double clock_megahertz = 100;
+};
+
+/// Declares the parameters of the pipeline, of every unit and of all registered schemes.
+Parameters all_parameters();
+
+/// Throws Error(deadlock) or Error(self_check).
+SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Configuration& configuration, const SimulationOptions& options);
+
+}  // namespace bump
