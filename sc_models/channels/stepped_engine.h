@@ -16,8 +16,11 @@ namespace bump {
 class SteppedEngine : public sc_core::sc_module, public TimingPlane {
  public:
   /// `refill` is called between clock edges while any stage has no unread record and more may come: it must append records (it may wait on
-  /// SystemC events, zero time) and return false once there are no more, ever. Construct before simulation starts.
-  SteppedEngine(sc_core::sc_module_name name, const TimingGraph& graph, sc_core::sc_time period, std::function<bool()> refill);
+  /// SystemC events, zero time) and return false once there are no more, ever. Construct before simulation starts. Cycle 0 is the first rising
+  /// edge, one period after the start of simulation. `on_done` is called once at the end, in place of sc_stop(), so that several engines can share a
+  /// simulation.
+  SteppedEngine(sc_core::sc_module_name name, const TimingGraph& graph, sc_core::sc_time period, std::function<bool()> refill,
+                std::function<void()> on_done = {});
   ~SteppedEngine() override;
 
   void append(int stage, const TokenRecord* records, std::size_t count) override;
@@ -28,7 +31,7 @@ class SteppedEngine : public sc_core::sc_module, public TimingPlane {
   void trace(const std::string& path);
 
   /// Valid once the simulation has ended: sc_start() returned because every token was delivered (the engine calls sc_stop()).
-  /// Throws Error(deadlock) if the watchdog stopped the simulation.
+  /// Throws Error(deadlock) if the watchdog stopped the simulation, and whatever `refill` threw.
   TimingResult result() const;
   /// Cycles simulated so far.
   Cycle now() const;

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace bump {
 
@@ -12,11 +13,16 @@ enum class ErrorKind {
   input = 2,       ///< bad scene, mesh, texture, configuration, argument or output folder
   deadlock = 3,    ///< the simulated hardware stopped making progress
   self_check = 4,  ///< a result contradicts itself: conservation, token count, stated image bound
-  internal = 5     ///< a fault of the program
+  internal = 5,    ///< a fault of the program
+  cancelled = 130  ///< the user interrupted the run
 };
 
 /// Where in a user's file the problem is; line and column count from 1, 0 means unknown.
 struct Location {
+  Location() = default;
+  // A constructor, not an aggregate: g++ 12 takes temporaries of nested aggregates in throw expressions for uninitialised.
+  Location(std::string in_file, int in_line = 0, int in_column = 0) : file(std::move(in_file)), line(in_line), column(in_column) {}
+
   std::string file;
   int line = 0;
   int column = 0;

@@ -12,6 +12,8 @@
 #include "channels/timing_graph.h"
 #include "datapath/inventory.h"
 #include "schemes/scheme.h"
+#include "units/counters.h"
+#include "units/frame_buffer.h"
 #include "units/scene.h"
 
 namespace bump {
@@ -25,14 +27,6 @@ struct SimulationOptions {
   std::function<void(double)> progress;
   /// Polled; when set, the simulation stops with an Error.
   const std::atomic<bool>* cancelled = nullptr;
-};
-
-/// A frame in double precision, row 0 on top, three channels interleaved, display values in [0, 1].
-struct FrameBuffer {
-  int width = 0, height = 0;
-  std::vector<double> colour;
-  std::vector<std::int32_t> object;  ///< index into Scene::objects, -1 for background
-  std::vector<double> depth;         ///< z / w in [0, 1]; 1 for background
 };
 
 /// Cost of one netlist of the pipeline.
@@ -53,27 +47,6 @@ struct TableUse {
   int copies = 1;              ///< reads in parallel (and materials, where contents follow the material)
   std::int64_t reads = 0;      ///< in the whole run
   bool addition = false;
-};
-
-struct TextureCounters {
-  std::int64_t reads = 0;   ///< texels
-  std::int64_t accesses = 0, hits = 0, misses = 0;  ///< cache lines looked up
-  std::int64_t bytes = 0;   ///< moved from memory
-};
-
-struct GeometryCounters {
-  std::int64_t vertices = 0;        ///< transformed
-  std::int64_t vertex_reuses = 0;   ///< found in the post-transform cache
-  std::int64_t triangles = 0;       ///< that entered
-  std::int64_t triangles_clipped = 0, triangles_culled = 0, triangles_empty = 0;
-  std::int64_t fragments_generated = 0, fragments_hidden = 0, fragments = 0;  ///< covered, killed by early z, shaded
-  std::int64_t fragments_retired = 0;  ///< arrived in the frame sink
-};
-
-struct AngularError {
-  std::string vector;  ///< "L'", "H'"
-  std::int64_t count = 0;
-  double mean_degrees = 0, rms_degrees = 0, max_degrees = 0;
 };
 
 struct Bound {

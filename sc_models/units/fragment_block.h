@@ -3,8 +3,8 @@
 // records that the units leave for the timing plane. Fragments of one block belong to one object.
 //
 // Values are planes: one array of 256 doubles per named quantity (an interpolant, a map channel, a datapath output). With fixed-point
-// arithmetic two sets of planes travel side by side: what the hardware holds, and the same datapath in double precision, so that quantisation
-// error can be told from model error.
+// arithmetic two sets of planes travel side by side: what the hardware holds, and the same datapath in double precision, so that
+// quantisation error can be told from model error.
 
 #include <array>
 #include <cstdint>
@@ -30,7 +30,7 @@ struct SetupTriangle {
 
 struct FragmentBlock {
   int lanes = 0;
-  int object = 0;  ///< index into Scene::objects
+  int object = 0;                                  ///< index into Scene::objects
   std::array<std::int32_t, block_lanes> x{}, y{};  ///< pixel, (0, 0) is the top left
   Lanes depth{};
   std::array<std::int32_t, block_lanes> triangle{};  ///< index into `triangles`

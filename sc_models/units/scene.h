@@ -1,10 +1,9 @@
 #pragma once
-// A scene as the simulated hardware receives it: indexed triangle meshes with tangent frames, textures, lights, a camera. Plain data, already
-// validated by whoever read it. Shading is in object space, so objects are placed by rotation, translation and uniform scale only.
-
-#include <glm/glm.hpp>
+// A scene as the simulated hardware receives it: indexed triangle meshes with tangent frames, textures, lights, a camera. Plain data,
+// already validated by whoever read it. Shading is in object space, so objects are placed by rotation, translation and uniform scale only.
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,16 +28,18 @@ struct Mesh {
 /// Coefficients of Lee 2007 Eq 2: I = ambient + intensity * (diffuse * N'.L + specular * (N'.H)^shininess).
 struct Material {
   double ambient = 0.15, diffuse = 0.7, specular = 0.25, shininess = 20;
-  bool operator==(const Material& o) const { return ambient == o.ambient && diffuse == o.diffuse && specular == o.specular && shininess == o.shininess; }
+  bool operator==(const Material& o) const {
+    return ambient == o.ambient && diffuse == o.diffuse && specular == o.specular && shininess == o.shininess;
+  }
 };
 
 struct SceneObject {
   std::string name;
   std::shared_ptr<const Mesh> mesh;
-  glm::dmat4 to_world{1};               ///< rotation, translation, uniform scale
-  std::shared_ptr<const Texture> colour;  ///< 3 channels in [0, 1], display values (no linearisation)
-  std::shared_ptr<const Texture> normals; ///< 3 channels, unit tangent-space normals, z towards the outside, x along u, y along v
-  std::shared_ptr<const Texture> heights; ///< 1 channel, in texels of its own level 0; null when the map came as normals
+  glm::dmat4 to_world{1};                  ///< rotation, translation, uniform scale
+  std::shared_ptr<const Texture> colour;   ///< 3 channels in [0, 1], display values (no linearisation)
+  std::shared_ptr<const Texture> normals;  ///< 3 channels, unit tangent-space normals, z towards the outside, x along u, y along v
+  std::shared_ptr<const Texture> heights;  ///< 1 channel, in texels of its own level 0; null when the map came as normals
   Material material;
 };
 

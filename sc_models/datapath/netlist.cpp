@@ -1,0 +1,206 @@
+#include "datapath/netlist.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "datapath/checks.h"
+
+namespace bump {
+
+namespace {
+
+Node make(Op op, const std::string& name, std::vector<int> operands, const Format& format, const std::string& equation = "") {
+  Node node;
+  node.op = op;
+  node.name = name;
+  node.equation = equation;
+  node.operands = std::move(operands);
+  node.format = format;
+  return node;
+}
+
+/// Two tables of one name must be one ROM.
+bool same_structure(const Table& a, const Table& b) {
+  return a.index == b.index && a.folding == b.folding && a.address_bits == b.address_bits && a.min_exponent == b.min_exponent &&
+         a.exponent_bits == b.exponent_bits && a.columns.size() == b.columns.size() && a.bits() == b.bits();
+}
+
+}  // namespace
+
+const char* name_of(Op op) {
+  switch (op) {
+    case Op::input:
+      return "input";
+    case Op::constant:
+      return "constant";
+    case Op::add:
+      return "add";
+    case Op::sub:
+      return "sub";
+    case Op::mul:
+      return "mul";
+    case Op::div:
+      return "div";
+    case Op::sqrt:
+      return "sqrt";
+    case Op::table:
+      return "table";
+    case Op::column:
+      return "column";
+    case Op::shift:
+      return "shift";
+    case Op::negate:
+      return "negate";
+    case Op::absolute:
+      return "absolute";
+    case Op::half_turn:
+      return "half_turn";
+    case Op::clamp:
+      return "clamp";
+    case Op::select:
+      return "select";
+    case Op::is_negative:
+      return "is_negative";
+    case Op::is_beyond_quarter:
+      return "is_beyond_quarter";
+  }
+  return "";
+}
+
+Netlist::Netlist(std::string name) : name_(std::move(name)) {}
+
+Netlist::Scope::Scope(Netlist& netlist, const std::string& name) : netlist_(netlist), outer_(netlist.prefix_) {
+  netlist_.prefix_ += name + ".";
+}
+Netlist::Scope::~Scope() {
+  netlist_.prefix_ = outer_;
+}
+
+Wire Netlist::append(Node node) {
+  node.name = prefix_ + node.name;
+  node.addition = addition_;
+  const std::string whose = "netlist '" + name_ + "', node '" + node.name + "'";
+  require(find(node.name) < 0, whose + ": the name is taken");
+  std::vector<Format> operands;
+  for (const int operand : node.operands) {
+    require(operand >= 0 && operand < static_cast<int>(nodes_.size()), whose + ": an operand is not a wire of this netlist");
+    require(nodes_[static_cast<std::size_t>(operand)].op != Op::table || node.op == Op::column,
+            whose + ": a table is read through its columns");
+    operands.push_back(nodes_[static_cast<std::size_t>(operand)].format);
+  }
+  check_operator(node, operands, whose);
+  nodes_.push_back(std::move(node));
+  return Wire{static_cast<int>(nodes_.size()) - 1};
+}
+
+Wire Netlist::input(const std::string& name, Format format) {
+  const Wire wire = append(make(Op::input, name, {}, format));
+  inputs_.push_back({nodes_.back().name, wire.node});
+  return wire;
+}
+
+Wire Netlist::constant(const std::string& name, double value, Format format) {
+  Node node = make(Op::constant, name, {}, format);
+  node.value = value;
+  return append(std::move(node));
+}
+
+Wire Netlist::add(const std::string& name, Wire a, Wire b, Format format, const std::string& equation) {
+  return append(make(Op::add, name, {a.node, b.node}, format, equation));
+}
+
+Wire Netlist::sub(const std::string& name, Wire a, Wire b, Format format, const std::string& equation) {
+  return append(make(Op::sub, name, {a.node, b.node}, format, equation));
+}
+
+Wire Netlist::mul(const std::string& name, Wire a, Wire b, Format format, const std::string& equation) {
+  return append(make(Op::mul, name, {a.node, b.node}, format, equation));
+}
+
+Wire Netlist::div(const std::string& name, Wire a, Wire b, Format format, const std::string& equation) {
+  return append(make(Op::div, name, {a.node, b.node}, format, equation));
+}
+
+Wire Netlist::sqrt(const std::string& name, Wire a, Format format, const std::string& equation) {
+  return append(make(Op::sqrt, name, {a.node}, format, equation));
+}
+
+std::vector<Wire> Netlist::table(const std::string& name, const TablePtr& table, Wire index, const std::string& equation) {
+  const std::string whose = "netlist '" + name_ + "', node '" + prefix_ + name + "'";
+  require(table != nullptr, whose + ": there is no table");
+  require(index.node >= 0 && index.node < static_cast<int>(nodes_.size()), whose + ": the index is not a wire of this netlist");
+  check_table(*table);
+  const Format& format_of_index = format(index);
+  require(format_of_index.is_real || format_of_index == table->index,
+          whose + ": table '" + table->name + "' is indexed by " + to_string(table->index) + ", not by " + to_string(format_of_index));
+  for (const TablePtr& known : tables_)
+    require(known->name != table->name || same_structure(*known, *table), whose + ": another table is called '" + table->name + "'");
+  auto place = std::find(tables_.begin(), tables_.end(), table);
+  if (place == tables_.end()) place = tables_.insert(tables_.end(), table);
+  Node node = make(Op::table, name, {index.node}, format_of_index, equation);
+  node.table = static_cast<int>(place - tables_.begin());
+  const Wire read = append(std::move(node));
+  std::vector<Wire> wires;
+  for (std::size_t i = 0; i < table->columns.size(); ++i) {
+    Node column = make(Op::column, name + "." + table->columns[i].name, {read.node}, table->columns[i].format, equation);
+    column.amount = static_cast<int>(i);
+    wires.push_back(append(std::move(column)));
+  }
+  return wires;
+}
+
+Wire Netlist::shift(const std::string& name, Wire a, int k, Format format, const std::string& equation) {
+  Node node = make(Op::shift, name, {a.node}, format, equation);
+  node.amount = k;
+  return append(std::move(node));
+}
+
+Wire Netlist::negate(const std::string& name, Wire a, Format format, const std::string& equation) {
+  return append(make(Op::negate, name, {a.node}, format, equation));
+}
+
+Wire Netlist::absolute(const std::string& name, Wire a, Format format, const std::string& equation) {
+  return append(make(Op::absolute, name, {a.node}, format, equation));
+}
+
+Wire Netlist::half_turn(const std::string& name, Wire a, const std::string& equation) {
+  const bool known = a.node >= 0 && a.node < static_cast<int>(nodes_.size());
+  return append(make(Op::half_turn, name, {a.node}, known ? format(a) : Format{}, equation));
+}
+
+Wire Netlist::clamp(const std::string& name, Wire a, double low, double high, Format format, const std::string& equation) {
+  Node node = make(Op::clamp, name, {a.node}, format, equation);
+  node.low = low;
+  node.high = high;
+  return append(std::move(node));
+}
+
+Wire Netlist::select(const std::string& name, Wire flag, Wire if_set, Wire if_clear, Format format, const std::string& equation) {
+  return append(make(Op::select, name, {flag.node, if_set.node, if_clear.node}, format, equation));
+}
+
+Wire Netlist::is_negative(const std::string& name, Wire a) {
+  return append(make(Op::is_negative, name, {a.node}, flag()));
+}
+
+Wire Netlist::is_beyond_quarter(const std::string& name, Wire a) {
+  return append(make(Op::is_beyond_quarter, name, {a.node}, flag()));
+}
+
+void Netlist::output(const std::string& name, Wire a) {
+  const std::string full = prefix_ + name;
+  const std::string whose = "netlist '" + name_ + "', output '" + full + "'";
+  require(a.node >= 0 && a.node < static_cast<int>(nodes_.size()), whose + ": is not a wire of this netlist");
+  require(nodes_[static_cast<std::size_t>(a.node)].op != Op::table, whose + ": a table is read through its columns");
+  require(std::none_of(outputs_.begin(), outputs_.end(), [&](const Port& port) { return port.name == full; }),
+          whose + ": the name is taken");
+  outputs_.push_back({full, a.node});
+}
+
+int Netlist::find(const std::string& name) const {
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (nodes_[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace bump

@@ -1,0 +1,55 @@
+#include "schemes/common/trigonometric_tables.h"
+
+#include <cmath>
+
+namespace bump {
+
+namespace {
+
+constexpr double two_pi = 6.283185307179586476925;
+
+Column sine_column(int word_bits) {
+  Column column;
+  column.name = "sin";
+  column.function = [](double turns) { return std::sin(two_pi * turns); };
+  column.format = sine_format(word_bits);
+  column.symmetry.odd_about_zero = true;
+  return column;
+}
+
+Column cosine_column(int word_bits) {
+  Column column;
+  column.name = "cos";
+  column.function = [](double turns) { return std::cos(two_pi * turns); };
+  column.format = sine_format(word_bits);
+  column.symmetry.odd_about_quarter = true;
+  return column;
+}
+
+Table quarter_table(const std::string& name, const std::string& formula, const Format& index, int address_bits) {
+  Table table;
+  table.name = name;
+  table.formula = formula;
+  table.index = index;
+  table.folding = Folding::quarter;
+  table.address_bits = address_bits;
+  return table;
+}
+
+}  // namespace
+
+Format sine_format(int word_bits) { return sfixed(word_bits + 1, word_bits); }
+
+TablePtr sine_cosine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
+  Table table = quarter_table(name, "sin 2 pi x, cos 2 pi x", index, address_bits);
+  table.columns = {sine_column(word_bits), cosine_column(word_bits)};
+  return std::make_shared<const Table>(table);
+}
+
+TablePtr cosine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
+  Table table = quarter_table(name, "cos 2 pi x", index, address_bits);
+  table.columns = {cosine_column(word_bits)};
+  return std::make_shared<const Table>(table);
+}
+
+}  // namespace bump

@@ -1,0 +1,19 @@
+#pragma once
+// From netlists and execution counts to what a run reports: the cost of each unit and the use of each table.
+
+#include <string>
+#include <vector>
+
+#include "system/pipeline_timing.h"
+#include "system/simulation.h"
+
+namespace bump {
+
+/// A per-pixel netlist with its schedule (null for programs on ALUs and interpolators).
+UnitCost unit_cost(const std::string& name, const Netlist& netlist, const Schedule* schedule, std::int64_t executions);
+
+/// One row for each distinct table of the netlist, published and additional reads apart. `materials`: sets of contents kept for tables that follow
+/// the material.
+std::vector<TableUse> table_uses(const std::string& unit, const Netlist& netlist, std::int64_t executions, int materials);
+
+}  // namespace bump

@@ -1,0 +1,40 @@
+#include "system/pipeline.h"
+
+namespace bump {
+
+Pipeline::Pipeline(const sc_core::sc_module_name& name, std::shared_ptr<const PipelineContext> context, const Configuration& c,
+                   std::function<void(std::int64_t)> watch)
+    : sc_module(name),
+      watch_(std::move(watch)),
+      pool_(std::make_shared<BlockPool>(context->planes.size(), context->separate_exact() ? context->planes.size() : 0)),
+      vertex_processor_(context, VertexProcessorConfig(c)),
+      triangle_setup_(context, TriangleSetupConfig(c)),
+      interpolators_(context),
+      texture_fetch_(context, TextureFetchConfig(c)),
+      environment_(context),
+      illumination_(context),
+      colour_(context, ColourUnitConfig(c)),
+      shading_{illumination_, colour_},
+      frame_sink_(context),
+      triangles_("triangles"),
+      set_up_triangles_("set_up_triangles"),
+      fragments_("fragments"),
+      interpolated_("interpolated"),
+      textured_("textured"),
+      lit_("lit"),
+      shaded_("shaded"),
+      out_records_("records"),
+      vertex_processor_module_("vertex_processor", failure_, vertex_processor_, triangles_, watch_),
+      triangle_setup_module_("triangle_setup", failure_, triangle_setup_, triangles_, set_up_triangles_),
+      rasterizer_module_("rasterizer", failure_, context, RasterizerConfig(c), pool_, set_up_triangles_, fragments_),
+      interpolators_module_("interpolators", failure_, interpolators_, fragments_, interpolated_),
+      texture_fetch_module_("texture_fetch", failure_, texture_fetch_, interpolated_, textured_),
+      environment_module_("environment", failure_, environment_, textured_, lit_),
+      illumination_module_("illumination", failure_, shading_, lit_, shaded_),
+      frame_sink_module_("frame_sink", failure_, frame_sink_, pool_, shaded_, [this](const FragmentBlock& block) {
+        out_records_.write(records_of(block));
+        if (block.last) out_records_.close();
+        if (watch_) watch_(vertex_processor_.counters().triangles);
+      }) {}
+
+}  // namespace bump

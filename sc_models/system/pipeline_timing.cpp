@@ -1,0 +1,109 @@
+#include "system/pipeline_timing.h"
+
+#include <algorithm>
+
+namespace bump {
+
+namespace {
+
+constexpr std::array<const char*, stage::count> names = {"vertex_processor", "triangle_setup", "rasterizer",   "interpolators",
+                                                         "texture_fetch",    "environment",    "illumination", "frame_sink"};
+
+std::string fifo_name(int from) { return std::string(names[from]) + "_to_" + names[from + 1]; }
+
+OperatorLatencies operator_latencies(const Configuration& c) {
+  OperatorLatencies latencies;
+  latencies.adder = static_cast<int>(c.integer("datapath.latency.adder"));
+  latencies.multiplier = static_cast<int>(c.integer("datapath.latency.multiplier"));
+  latencies.table = static_cast<int>(c.integer("datapath.latency.table"));
+  latencies.clamp = static_cast<int>(c.integer("datapath.latency.clamp"));
+  latencies.divider_bits_per_cycle = static_cast<int>(c.integer("datapath.latency.divider_bits_per_cycle"));
+  latencies.square_root_bits_per_cycle = static_cast<int>(c.integer("datapath.latency.square_root_bits_per_cycle"));
+  return latencies;
+}
+
+/// A unit that runs its netlist once per light, one execution after another.
+Cycle serial_latency(const Schedule& schedule, int lights) { return schedule.latency + Cycle{lights - 1} * schedule.initiation_interval; }
+
+}  // namespace
+
+const char* stage_name(int index) { return names[static_cast<std::size_t>(index)]; }
+
+void declare_pipeline_parameters(Parameters& p) {
+  p.choice("numeric", "fixed", {"fixed", "double"}, "arithmetic of the per-pixel datapaths: bit-accurate fixed point, or double precision");
+  p.number("clock.megahertz", 100, 0.001, 100000, "MHz", "clock of the whole pipeline; only turns cycles into frames per second");
+  p.integer("fifos.depth", 4, 1, 1 << 20, "tokens", "slots of every FIFO whose own depth is 0");
+  for (int from = 0; from + 1 < stage::count; ++from)
+    p.integer("fifos." + fifo_name(from), 0, 0, 1 << 20, "tokens", "slots of this FIFO; 0 means fifos.depth");
+  p.integer("datapath.latency.adder", 1, 0, 64, "cycles", "an addition or subtraction");
+  p.integer("datapath.latency.multiplier", 1, 0, 64, "cycles", "a multiplication");
+  p.integer("datapath.latency.table", 1, 0, 64, "cycles", "a table read");
+  p.integer("datapath.latency.clamp", 1, 0, 64, "cycles", "a saturation");
+  p.integer("datapath.latency.divider_bits_per_cycle", 1, 1, 64, "bits", "quotient bits that a divider resolves each cycle");
+  p.integer("datapath.latency.square_root_bits_per_cycle", 1, 1, 64, "bits", "root bits that a square rooter resolves each cycle");
+  for (const char* unit : {"conversion", "environment", "illumination"})
+    p.integer(std::string(unit) + ".multipliers", 0, 0, 4096, "multipliers", "built and time-shared; 0 builds one for every product");
+  for (int i = 0; i < stage::count; ++i) {
+    if (i == stage::texture_fetch) continue;  // it declares its own: waiting for memory takes more
+    p.integer(std::string(names[i]) + ".capacity", 0, 0, 1 << 20, "tokens", "tokens in flight; 0 means latency + 1, enough for one a cycle");
+  }
+  p.integer("frame_sink.latency", 1, 1, 1024, "cycles", "write of a pixel");
+}
+
+DatapathSchedules make_schedules(const Design& design, const Netlist& colour, const Configuration& c) {
+  const OperatorLatencies latencies = operator_latencies(c);
+  DatapathSchedules schedules;
+  if (design.conversion) schedules.conversion = schedule(*design.conversion, latencies, static_cast<int>(c.integer("conversion.multipliers")));
+  schedules.environment = schedule(design.environment, latencies, static_cast<int>(c.integer("environment.multipliers")));
+  schedules.illumination = schedule(design.illumination, latencies, static_cast<int>(c.integer("illumination.multipliers")));
+  schedules.colour = schedule(colour, latencies);
+  return schedules;
+}
+
+PipelineTiming make_pipeline_timing(const DatapathSchedules& s, int lights, const Configuration& c) {
+  PipelineTiming timing;
+  timing.schedules = s;
+  timing.interval.fill(1);
+  const auto serial_interval = [&](const Schedule& one) { return static_cast<std::uint32_t>(lights * one.initiation_interval); };
+  timing.interval[stage::interpolators] = serial_interval(s.conversion);
+  timing.interval[stage::environment] = serial_interval(s.environment);
+  timing.interval[stage::illumination] = std::max(serial_interval(s.illumination), static_cast<std::uint32_t>(s.colour.initiation_interval));
+
+  std::array<Cycle, stage::count> latency{};
+  latency[stage::vertex_processor] = c.integer("vertex_processor.latency");
+  latency[stage::triangle_setup] = c.integer("triangle_setup.latency");
+  latency[stage::rasterizer] = c.integer("rasterizer.latency");
+  latency[stage::interpolators] = c.integer("interpolators.latency") + serial_latency(s.conversion, lights);
+  latency[stage::texture_fetch] = c.integer("texture_fetch.latency");
+  latency[stage::environment] = serial_latency(s.environment, lights);
+  latency[stage::illumination] = serial_latency(s.illumination, lights) + s.colour.latency;
+  latency[stage::frame_sink] = c.integer("frame_sink.latency");
+
+  for (int i = 0; i < stage::count; ++i) {
+    StageSpec spec;
+    spec.name = names[i];
+    spec.latency = std::max<Cycle>(1, latency[i]);
+    const std::int64_t capacity = c.integer(spec.name + ".capacity");
+    spec.capacity = capacity > 0 ? capacity : spec.latency + 1;
+    if (i == stage::texture_fetch) {
+      spec.batch = static_cast<int>(c.integer("texture_fetch.batch"));
+      spec.memory = 0;
+    }
+    timing.graph.stages.push_back(spec);
+  }
+  for (int from = 0; from + 1 < stage::count; ++from) {
+    const std::int64_t own = c.integer("fifos." + fifo_name(from));
+    timing.graph.fifos.push_back({fifo_name(from), from, from + 1, own > 0 ? own : c.integer("fifos.depth")});
+  }
+  MemorySpec memory;
+  memory.name = "memory";
+  memory.tag_latency = c.integer("memory.tag_latency");
+  memory.latency = c.integer("memory.latency");
+  memory.cycles_per_line = c.integer("memory.cycles_per_line");
+  memory.outstanding = static_cast<int>(c.integer("memory.outstanding"));
+  timing.graph.memories.push_back(memory);
+  timing.graph.validate();
+  return timing;
+}
+
+}  // namespace bump

@@ -1,0 +1,39 @@
+#include "system/self_check.h"
+
+#include "system/pipeline_timing.h"
+
+namespace bump {
+
+namespace {
+
+void require_equal(std::int64_t a, std::int64_t b, const std::string& what) {
+  if (a == b) return;
+  throw Error(ErrorKind::self_check,
+              {"self-check failed: " + what, {}, std::to_string(a) + " is not " + std::to_string(b), "report this with the command that led to it"});
+}
+
+void require(bool holds, const std::string& what) { require_equal(holds ? 1 : 0, 1, what); }
+
+}  // namespace
+
+void check_conservation(const SimulationResult& r, const TimingGraph& graph) {
+  const GeometryCounters& g = r.geometry;
+  const TimingResult& t = r.timing;
+  require_equal(g.fragments_generated, g.fragments_hidden + g.fragments, "covered positions = hidden + shaded");
+  require_equal(g.fragments, g.fragments_retired, "fragments shaded = fragments retired");
+  require_equal(t.stages[stage::vertex_processor].tokens, g.triangles, "triangle tokens = triangles that entered");
+  require_equal(t.stages[stage::triangle_setup].tokens, g.triangles, "triangles set up = triangles that entered");
+  for (int i = stage::interpolators; i < stage::count; ++i)
+    require_equal(t.stages[static_cast<std::size_t>(i)].tokens, g.fragments, std::string("tokens of ") + stage_name(i) + " = fragments");
+  for (std::size_t i = 0; i < t.fifos.size(); ++i) {
+    const FifoStatistics& fifo = t.fifos[i];
+    require_equal(fifo.items, graph.fifos[i].to <= stage::rasterizer ? g.triangles : g.fragments, "items through " + fifo.name);
+    require(fifo.max_occupancy <= fifo.depth, fifo.name + " never holds more than its depth");
+    require(fifo.full_cycles + fifo.empty_cycles <= t.cycles, fifo.name + " is full and empty in different cycles");
+  }
+  require_equal(r.texture.hits + r.texture.misses, r.texture.accesses, "cache hits + misses = look-ups");
+  require_equal(t.memories.front().requests, r.texture.misses, "memory requests = cache misses");
+  require(r.bound.cycles <= static_cast<double>(t.cycles), "cycles reach the closed-form bound");
+}
+
+}  // namespace bump

@@ -1,0 +1,158 @@
+#include "system/simulation.h"
+
+#include <systemc>
+
+#include <optional>
+
+#include "channels/stepped_engine.h"
+#include "system/accounting.h"
+#include "system/bound.h"
+#include "system/dated_engine.h"
+#include "system/pipeline.h"
+#include "system/self_check.h"
+
+namespace bump {
+
+namespace {
+
+/// One design per distinct material, and which of them each object uses.
+struct Designs {
+  std::vector<Design> designs;
+  std::vector<int> of_object;
+};
+
+Designs make_designs(const Scene& scene, const Scheme& scheme, const Configuration& configuration) {
+  Designs result;
+  std::vector<Material> materials;
+  for (const SceneObject& object : scene.objects) {
+    std::size_t index = 0;
+    while (index < materials.size() && !(materials[index] == object.material)) ++index;
+    if (index == materials.size()) {
+      materials.push_back(object.material);
+      result.designs.push_back(scheme.design(configuration, object.material));
+    }
+    result.of_object.push_back(static_cast<int>(index));
+  }
+  return result;
+}
+
+/// Runs SystemC to the end of the simulation. What a module threw comes back from the failure; what else escapes is the program's fault.
+void run_kernel(const Failure& failure) {
+  try {
+    sc_core::sc_start();
+  } catch (const std::exception& escaped) {
+    failure.rethrow();
+    throw Error(ErrorKind::internal, {"the simulation broke off", {}, escaped.what(), "report this with the command that led to it"});
+  }
+  failure.rethrow();
+}
+
+/// The engine around the pipeline; owns whichever timing plane dates its records.
+class TimedRun {
+ public:
+  TimedRun(Pipeline& pipeline, const PipelineTiming& timing, const SimulationOptions& options, sc_core::sc_time period) : pipeline_(pipeline) {
+    if (options.engine == Engine::dated) {
+      dated_.emplace("dated_engine", pipeline.failure(), timing, pipeline.out_records(), period);
+      return;
+    }
+    stepped_.emplace("stepped_engine", timing.graph, period, [this, &timing] {
+      const auto records = pipeline_.out_records().read();
+      if (records) feed(*stepped_, *records, timing);
+      return records != nullptr;
+    });
+    if (!options.trace.empty()) stepped_->trace(options.trace);
+  }
+
+  TimingResult run() {
+    run_kernel(pipeline_.failure());
+    return dated_ ? dated_->result() : stepped_->result();
+  }
+
+ private:
+  Pipeline& pipeline_;
+  std::optional<DatedEngine> dated_;
+  std::optional<SteppedEngine> stepped_;
+};
+
+GeometryCounters geometry_of(const Pipeline& pipeline) {
+  GeometryCounters all = pipeline.vertex_processor().counters();
+  const GeometryCounters& setup = pipeline.triangle_setup().counters();
+  const GeometryCounters& raster = pipeline.rasterizer().counters();
+  all.triangles_clipped = setup.triangles_clipped;
+  all.triangles_culled = setup.triangles_culled;
+  all.triangles_empty = setup.triangles_empty + raster.triangles_empty;
+  all.fragments_generated = raster.fragments_generated;
+  all.fragments_hidden = raster.fragments_hidden;
+  all.fragments = raster.fragments;
+  all.fragments_retired = pipeline.frame_sink().retired();
+  return all;
+}
+
+void account(const Pipeline& pipeline, const PipelineContext& context, const DatapathSchedules& schedules, SimulationResult& result) {
+  const Design& design = context.designs.front();
+  const int materials = static_cast<int>(context.designs.size());
+  const auto unit = [&](const std::string& name, const Netlist& netlist, const Schedule* schedule, std::int64_t executions) {
+    result.units.push_back(unit_cost(name, netlist, schedule, executions));
+    for (TableUse& use : table_uses(name, netlist, executions, materials)) result.tables.push_back(std::move(use));
+  };
+  unit("environment", design.environment, &schedules.environment, pipeline.environment().executions());
+  unit("illumination", design.illumination, &schedules.illumination, pipeline.illumination().executions());
+  if (design.conversion) unit("conversion", *design.conversion, &schedules.conversion, pipeline.interpolators().conversions());
+  unit("colour", pipeline.colour().netlist(), &schedules.colour, pipeline.colour().executions());
+  result.units.push_back(unit_cost("interpolators", interpolator_netlist(context), nullptr, result.geometry.fragments));
+  result.units.push_back(unit_cost("vertex", design.vertex, nullptr, result.geometry.vertices));
+}
+
+}  // namespace
+
+Parameters all_parameters() {
+  Parameters parameters;
+  declare_pipeline_parameters(parameters);
+  VertexProcessorConfig::declare(parameters);
+  TriangleSetupConfig::declare(parameters);
+  RasterizerConfig::declare(parameters);
+  InterpolatorsConfig::declare(parameters);
+  TextureFetchConfig::declare(parameters);
+  ColourUnitConfig::declare(parameters);
+  for (const Scheme* scheme : all_schemes()) scheme->declare(parameters);
+  return parameters;
+}
+
+SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Configuration& configuration, const SimulationOptions& options) {
+  Designs designs = make_designs(scene, scheme, configuration);
+  ContextOptions context_options;
+  context_options.arithmetic = configuration.choice("numeric") == "fixed" ? Arithmetic::fixed : Arithmetic::real;
+  context_options.probe_directions = true;
+  const auto context = make_context(scene, std::move(designs.designs), std::move(designs.of_object), context_options);
+
+  const std::int64_t triangles = context->triangles();
+  const auto watch = [&options, triangles](std::int64_t entered) {
+    if (options.cancelled != nullptr && *options.cancelled) throw Error(ErrorKind::cancelled, {"interrupted", {}, "", "nothing was written"});
+    if (options.progress) options.progress(triangles > 0 ? static_cast<double>(entered) / static_cast<double>(triangles) : 1.0);
+  };
+  Pipeline pipeline("pipeline", context, configuration, watch);
+  const DatapathSchedules schedules = make_schedules(context->designs.front(), pipeline.colour().netlist(), configuration);
+  const PipelineTiming timing = make_pipeline_timing(schedules, context->lights, configuration);
+  const double megahertz = configuration.number("clock.megahertz");
+  // Kernel time is counted in whole picoseconds; cycles are integers of their own, so a rounded period does no harm.
+  TimedRun run(pipeline, timing, options, sc_core::sc_time(1e6 / megahertz, sc_core::SC_PS));
+
+  SimulationResult result;
+  result.timing = run.run();
+  result.geometry = geometry_of(pipeline);
+  result.fragments = result.geometry.fragments;
+  result.texture = pipeline.texture_fetch().counters();
+  result.bound = lower_bound(timing.graph, result.timing);
+  result.hardware = pipeline.frame_sink().hardware();
+  result.exact = pipeline.frame_sink().exact();
+  result.angular_errors = pipeline.environment().meter().hardware();
+  result.angular_errors_exact = pipeline.environment().meter().exact();
+  result.interpolator_components = interpolator_components(*context);
+  result.quantisation_floor_db = context->designs.front().quantisation_floor_db;
+  result.clock_megahertz = megahertz;
+  account(pipeline, *context, schedules, result);
+  check_conservation(result, timing.graph);
+  return result;
+}
+
+}  // namespace bump

@@ -1,0 +1,54 @@
+#pragma once
+// Measures how far the directions that the environment unit delivers are from the true ones, per fragment and light: L is the object-space
+// light vector at the fragment, H the normalised sum of the unit vectors to light and eye, both in the frame in which the design delivers
+// them. A measuring instrument, not hardware; it takes no time. Source of the frames: schemes/scheme.h, DeliveredDirection; polar: Lee
+// 2007, Eqs 19-21.
+
+#include <array>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "units/counters.h"
+#include "units/pipeline_context.h"
+
+namespace bump {
+
+/// The right-handed frame as columns x, y, z, in the coordinates of n, t, b (any length; t is made orthogonal to n, b only gives the
+/// handedness).
+glm::dmat3 delivery_frame(DeliveredDirection::Frame frame, const glm::dvec3& n, const glm::dvec3& t, const glm::dvec3& b);
+/// The direction that two planes (phi, theta in turns) mean, Lee 2007 Eqs 19-21.
+glm::dvec3 polar_direction(double phi, double theta);
+/// Angle between two vectors of any length, degrees; 90 if one of them is zero.
+double angle_between(const glm::dvec3& a, const glm::dvec3& b);
+
+class AngularMeter {
+ public:
+  explicit AngularMeter(std::shared_ptr<const PipelineContext> context);
+  /// Nothing happens unless the context probes directions.
+  void process(const FragmentBlock& block);
+
+  /// One entry per delivered direction of the design, all lights together; empty without probes.
+  std::vector<AngularError> hardware() const { return report(&Sums::hardware); }
+  std::vector<AngularError> exact() const { return report(&Sums::exact); }
+
+ private:
+  struct Sum {
+    std::int64_t count = 0;
+    double sum = 0, squares = 0, highest = 0;
+    void add(double degrees);
+  };
+  struct Sums {
+    Sum hardware, exact;
+  };
+
+  glm::dvec3 probe(const FragmentBlock& block, int vector, std::size_t lane) const;
+  void measure(const FragmentBlock& block, const DeliveredDirection& direction, int light, Sums& sums) const;
+  std::vector<AngularError> report(Sum Sums::*which) const;
+
+  std::shared_ptr<const PipelineContext> context_;
+  std::array<int, 12> probes_{};  ///< planes of P.x P.y P.z N.x ... B.z
+  std::vector<Sums> sums_;        ///< one per delivered direction
+};
+
+}  // namespace bump

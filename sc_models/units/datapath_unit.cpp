@@ -1,0 +1,37 @@
+#include "units/datapath_unit.h"
+
+namespace bump {
+
+DatapathUnit::DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select) : context_(std::move(context)) {
+  const Netlist* first = select(context_->designs.front());
+  if (first == nullptr) return;
+  for (const Design& design : context_->designs) {
+    hardware_.push_back(make_evaluator(*select(design), context_->options.arithmetic));
+    if (context_->separate_exact()) exact_.push_back(make_evaluator(*select(design), Arithmetic::real));
+  }
+  for (int light = 0; light < context_->lights; ++light) {
+    Ports ports;
+    for (const Netlist::Port& port : first->inputs()) ports.inputs.push_back(context_->plane(port.name, light));
+    for (const Netlist::Port& port : first->outputs()) ports.outputs.push_back(context_->plane(port.name, light));
+    ports_.push_back(std::move(ports));
+  }
+  inputs_.resize(first->inputs().size());
+  outputs_.resize(first->outputs().size());
+}
+
+void DatapathUnit::process(FragmentBlock& block) {
+  if (hardware_.empty() || block.lanes == 0) return;
+  const auto design = static_cast<std::size_t>(context_->design_of_object[static_cast<std::size_t>(block.object)]);
+  for (const Ports& ports : ports_) {
+    for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i] = block.hardware[static_cast<std::size_t>(ports.inputs[i])].data();
+    for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = block.hardware[static_cast<std::size_t>(ports.outputs[i])].data();
+    hardware_[design]->evaluate(inputs_.data(), block.lanes, outputs_.data());
+    executions_ += block.lanes;
+    if (exact_.empty()) continue;
+    for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i] = context_->exact_plane(block, ports.inputs[i]).data();
+    for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = block.exact[static_cast<std::size_t>(ports.outputs[i])].data();
+    exact_[design]->evaluate(inputs_.data(), block.lanes, outputs_.data());
+  }
+}
+
+}  // namespace bump

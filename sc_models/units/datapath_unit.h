@@ -1,0 +1,40 @@
+#pragma once
+// What the per-pixel datapath units have in common: a netlist of the design, evaluated for every light over a block of fragments, in the
+// hardware's arithmetic and, beside it, in double precision. With several lights a fragment passes the same hardware once per light, one
+// after another. Latency and initiation interval follow from the netlist's schedule.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "datapath/evaluate.h"
+#include "units/pipeline_context.h"
+
+namespace bump {
+
+class DatapathUnit {
+ public:
+  /// Picks the unit's netlist out of a design; null if the design has none, and the unit then does nothing.
+  using Select = const Netlist* (*)(const Design&);
+
+  DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select);
+  void process(FragmentBlock& block);
+
+  /// Times the whole netlist was executed: fragments times lights.
+  std::int64_t executions() const { return executions_; }
+
+ private:
+  /// The planes of one light, in the order of the netlist's ports.
+  struct Ports {
+    std::vector<int> inputs, outputs;
+  };
+
+  std::shared_ptr<const PipelineContext> context_;
+  std::vector<std::unique_ptr<Evaluator>> hardware_, exact_;  ///< one per design; none if the design has no such netlist
+  std::vector<Ports> ports_;                                  ///< one per light
+  std::vector<const double*> inputs_;
+  std::vector<double*> outputs_;
+  std::int64_t executions_ = 0;
+};
+
+}  // namespace bump

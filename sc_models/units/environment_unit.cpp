@@ -1,0 +1,20 @@
+#include "units/environment_unit.h"
+
+namespace bump {
+
+namespace {
+
+const Netlist* environment_of(const Design& design) {
+  return &design.environment;
+}
+
+}  // namespace
+
+EnvironmentUnit::EnvironmentUnit(std::shared_ptr<const PipelineContext> context) : datapath_(context, environment_of), meter_(context) {}
+
+void EnvironmentUnit::process(FragmentBlock& block) {
+  datapath_.process(block);
+  meter_.process(block);
+}
+
+}  // namespace bump

@@ -1,0 +1,37 @@
+#pragma once
+// The frame sink: writes colour, object and depth of arriving fragments into the frame buffer, unrounded, and counts them. With early z off
+// it is the one that tests depth; with early z on its test always passes. It leaves out blending and the traffic of the frame buffer. One
+// fragment a cycle.
+
+#include <cstdint>
+#include <memory>
+
+#include "units/frame_buffer.h"
+#include "units/pipeline_context.h"
+
+namespace bump {
+
+class FrameSink {
+ public:
+  explicit FrameSink(std::shared_ptr<const PipelineContext> context);
+  void process(const FragmentBlock& block);
+
+  std::int64_t retired() const { return retired_; }
+  /// Fragments that failed the depth test here.
+  std::int64_t hidden() const { return hidden_; }
+  /// What the hardware drew.
+  const FrameBuffer& hardware() const { return hardware_; }
+  /// The double-precision evaluation; the hardware's frame where blocks carry none of their own.
+  const FrameBuffer& exact() const { return context_->separate_exact() ? exact_ : hardware_; }
+
+ private:
+  std::shared_ptr<const PipelineContext> context_;
+  FrameBuffer hardware_, exact_;
+  int colour_plane_ = 0;
+  std::int64_t retired_ = 0, hidden_ = 0;
+};
+
+/// A frame of the scene's size that shows nothing but its background.
+FrameBuffer empty_frame(const Scene& scene);
+
+}  // namespace bump

@@ -1,0 +1,65 @@
+#pragma once
+// The texture unit: fetches the colour texel and the bump-map texel of each fragment through one cache, with the configured filter. Filter
+// weights are in double precision (their width is left out); the stored bump map is rounded to the scheme's channel formats in fixed-point
+// runs. Tags are looked up in order, once per distinct line of a fragment, colour first. A token is a fragment: its interval is the number
+// of 2 x 2 footprints (one per texture and mip level) over the footprints served each cycle; its record says how many lines missed, and the
+// memory port dates them. Source: Hakura and Gupta, ISCA 1997; Igehy, Eldridge and Proudfoot, "Prefetching in a texture cache
+// architecture", 1998.
+
+#include <memory>
+#include <vector>
+
+#include "channels/parameters.h"
+#include "memory/texture_cache.h"
+#include "units/counters.h"
+#include "units/pipeline_context.h"
+#include "units/texture_layout.h"
+
+namespace bump {
+
+struct TextureFetchConfig {
+  Filter filter = Filter::bilinear;
+  int footprints_per_cycle = 2;
+  CacheGeometry cache;
+
+  /// Also declares what only the timing plane reads: latency, capacity and batch of the unit, and the memory port ("memory.*").
+  static void declare(Parameters& parameters);
+  TextureFetchConfig() = default;
+  /// Throws Error(input) if the cache geometry is not a power of two where it must be.
+  explicit TextureFetchConfig(const Configuration& configuration);
+};
+
+class TextureFetch {
+ public:
+  /// Encodes the bump maps of all objects.
+  TextureFetch(std::shared_ptr<const PipelineContext> context, const TextureFetchConfig& config);
+  void process(FragmentBlock& block);
+
+  const TextureCounters& counters() const { return counters_; }
+
+ private:
+  /// A texture in memory. `exact` is the same without rounding, null where nobody needs it.
+  struct Resident {
+    std::shared_ptr<const Texture> hardware, exact;
+    TextureLayout layout;
+  };
+  struct ObjectTextures {
+    int colour = 0, map = 0;  ///< index into residents_
+  };
+
+  int place(std::shared_ptr<const Texture> hardware, std::shared_ptr<const Texture> exact);
+  int fetch(const Resident& texture, double u, double v, double lod, TexelTap taps[8]);
+  void touch(const Resident& texture, const TexelTap* taps, int count);
+
+  std::shared_ptr<const PipelineContext> context_;
+  TextureFetchConfig config_;
+  TextureCache cache_;
+  TextureCounters counters_;
+  std::vector<Resident> residents_;
+  std::vector<ObjectTextures> objects_;   ///< one per scene object
+  int colour_plane_ = 0, map_plane_ = 0;  ///< first of the texel planes
+  std::vector<std::uint64_t> lines_;      ///< distinct lines of the fragment so far
+  int footprints_ = 0, misses_ = 0;       ///< of the fragment so far
+};
+
+}  // namespace bump

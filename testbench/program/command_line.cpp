@@ -1,0 +1,111 @@
+#include "testbench/program/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <functional>
+#include <iostream>
+
+#include "datapath/error.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/version.h"
+
+namespace bump {
+
+namespace {
+
+void add_configuration(CLI::App& command, std::vector<std::string>& files, std::vector<std::string>& settings) {
+  command.add_option("--config", files, "configuration file (TOML); may be repeated, later files win")->type_name("FILE");
+  command.add_option("--set", settings, "one parameter, e.g. fifos.depth=2; may be repeated, wins over files")->type_name("KEY=VALUE");
+}
+
+void add_json(CLI::App& command, bool& json) { command.add_flag("--json", json, "one JSON document on stdout"); }
+
+int bad_usage(const CLI::App& program, const CLI::ParseError& error) {
+  std::cerr << "bumpsim: " << error.what() << '\n';
+  const auto used = program.get_subcommands();
+  std::cerr << "  try: bumpsim " << (used.empty() ? "" : used.front()->get_name() + " ") << "--help\n";
+  return static_cast<int>(ErrorKind::input);
+}
+
+}  // namespace
+
+int command_line(int argc, char* argv[]) {
+  CLI::App program{"bumpsim: simulates bump-mapping hardware and says what it costs, how fast it is and how good its picture is", "bumpsim"};
+  program.require_subcommand(1);
+  program.set_version_flag("--version", version_text());
+  program.footer("Exit codes: 0 ok, 2 bad input or configuration, 3 deadlock, 4 self-check failed, 5 internal error, 130 interrupted.");
+  std::function<int()> chosen;
+
+  RunArguments run;
+  CLI::App* command = program.add_subcommand("run", "simulate a scheme on a scene; writes a result folder and prints a summary");
+  command->add_option("scene", run.scene, "a shipped scene, a scene file (.toml) or a mesh (.obj)")->required()->type_name("SCENE");
+  command->add_option("--scheme", run.scheme, "see: bumpsim list schemes")->capture_default_str();
+  command->add_option("--engine", run.engine, "dated (fast, exact) or stepped (clocked, for waveforms)")->capture_default_str();
+  add_configuration(*command, run.configuration_files, run.settings);
+  command->add_option("--out", run.out, "result folder; must not exist (default: a new one under ./out)")->type_name("DIR");
+  command->add_option("--trace", run.trace, "VCD file with FIFOs and unit states; needs --engine stepped")->type_name("FILE.vcd");
+  command->add_flag("--force", run.force, "replace an earlier result in --out");
+  command->add_flag("--no-quality", run.no_quality, "skip the reference pictures and everything compared with them");
+  add_json(*command, run.json);
+  command->callback([&] { chosen = [&] { return run_command(run); }; });
+
+  ListArguments list;
+  command = program.add_subcommand("list", "list schemes and shipped scenes");
+  command->add_option("what", list.what, "schemes or scenes (default: both)")->check(CLI::IsMember({"schemes", "scenes"}));
+  add_json(*command, list.json);
+  command->callback([&] { chosen = [&] { return list_command(list); }; });
+
+  DescribeArguments describe;
+  command = program.add_subcommand("describe", "explain a scheme, a module and its parameters, one parameter, or the statistics");
+  command->add_option("name", describe.name, "e.g. lee2007, texture_fetch, fifos.depth, statistics");
+  add_json(*command, describe.json);
+  command->callback([&] { chosen = [&] { return describe_command(describe); }; });
+
+  CheckArguments check;
+  command = program.add_subcommand("check", "read a scene, mesh or configuration file and say what is wrong with it");
+  command->add_option("file", check.file)->required()->type_name("FILE");
+  add_json(*command, check.json);
+  command->callback([&] { chosen = [&] { return check_command(check); }; });
+
+  LutsArguments luts;
+  command = program.add_subcommand("luts", "write the ROM images of all schemes' tables and a manifest");
+  command->add_option("--out", luts.out, "folder for the images")->capture_default_str()->type_name("DIR");
+  add_configuration(*command, luts.configuration_files, luts.settings);
+  add_json(*command, luts.json);
+  command->callback([&] { chosen = [&] { return luts_command(luts); }; });
+
+  ProbeArguments probe;
+  command = program.add_subcommand("probe", "evaluate one unit's netlist on given inputs and print every node");
+  command->add_option("scheme", probe.scheme)->required()->type_name("SCHEME");
+  command->add_option("unit", probe.unit, "environment, illumination, conversion or vertex")->required()->type_name("UNIT");
+  command->add_option("inputs", probe.assignments, "name=value; angles in degrees")->type_name("NAME=VALUE");
+  add_configuration(*command, probe.configuration_files, probe.settings);
+  add_json(*command, probe.json);
+  command->callback([&] { chosen = [&] { return probe_command(probe); }; });
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return program.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return bad_usage(program, error);
+  }
+
+  try {
+    const int code = chosen();
+    if (std::fflush(stdout) != 0 || !std::cout.flush()) throw Error({"cannot write to standard output", {}, "the disk is full or the reader has gone"});
+    return code;
+  } catch (const Error& error) {
+    std::cerr << "bumpsim: " << error.what() << '\n';
+    return static_cast<int>(error.kind());
+  } catch (const std::bad_alloc&) {
+    std::cerr << "bumpsim: out of memory\n  try: a smaller frame or mesh\n";
+    return static_cast<int>(ErrorKind::input);
+  } catch (const std::exception& error) {
+    std::cerr << "bumpsim: internal error: " << error.what() << '\n';
+    return static_cast<int>(ErrorKind::internal);
+  }
+}
+
+}  // namespace bump

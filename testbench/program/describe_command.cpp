@@ -1,0 +1,161 @@
+// `bumpsim describe`: everything that the program knows about itself, from the same declarations that the simulation uses.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "channels/statistics.h"
+#include "datapath/inventory.h"
+#include "system/pipeline_timing.h"
+#include "system/simulation.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/configure.h"
+#include "testbench/program/scheme_units.h"
+
+namespace bump {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Parameter& p) {
+  Json entry = {{"key", p.key}, {"default", to_string(p.fallback)}, {"allowed", allowed(p)}, {"unit", p.unit}, {"meaning", p.meaning}};
+  return entry;
+}
+
+void print_parameters(const std::vector<const Parameter*>& parameters) {
+  std::size_t width = 0;
+  for (const Parameter* p : parameters) width = std::max(width, p->key.size());
+  for (const Parameter* p : parameters)
+    fmt::print("  {:<{}}  {:<8} {}\n  {:<{}}           {}\n", p->key, width, to_string(p->fallback), p->meaning, "", width, allowed(*p));
+}
+
+std::vector<const Parameter*> parameters_below(const Parameters& all, const std::string& prefix) {
+  std::vector<const Parameter*> found;
+  for (const auto& [key, parameter] : all.all())
+    if (key == prefix || key.rfind(prefix + ".", 0) == 0) found.push_back(&parameter);
+  return found;
+}
+
+std::string module_of(const std::string& key) { return key.substr(0, key.find('.')); }
+
+Json counts_json(const Inventory& i) {
+  return {{"multipliers", i.multipliers}, {"adders", i.adders}, {"dividers", i.dividers}, {"square_roots", i.square_roots},
+          {"tables", i.tables}, {"maps", i.maps}, {"clamps", i.clamps}, {"selects", i.selects}, {"sign_logic", i.sign_logic},
+          {"shifts", i.shifts}, {"index_encoders", i.index_encoders}, {"table_bits", i.table_bits}};
+}
+
+void print_units(const Design& design) {
+  fmt::print("\n  {:<26} {:>5} {:>6} {:>5} {:>5} {:>7} {:>6} {:>8} {:>10}\n", "built, one light", "mul", "adders", "div", "sqrt", "tables", "clamps", "selects", "table bits");
+  const auto row = [](const std::string& name, const Inventory& i) {
+    fmt::print("  {:<26} {:>5} {:>6} {:>5} {:>5} {:>7} {:>6} {:>8} {:>10}\n", name, i.multipliers, i.adders, i.dividers, i.square_roots, i.tables, i.clamps, i.selects, i.table_bits);
+  };
+  for (const NamedNetlist& unit : units_of(design)) {
+    row(unit.name, count(*unit.netlist, Portion::published));
+    const Inventory addition = count(*unit.netlist, Portion::addition);
+    if (addition.adders + addition.multipliers + addition.tables + addition.dividers + addition.square_roots > 0) row("  beside the published", addition);
+  }
+}
+
+int describe_scheme(const Scheme& scheme, bool json) {
+  const Configuration configuration(all_parameters());
+  const Design design = scheme.design(configuration, Material{});
+  const SchemePage& page = scheme.page();
+  const auto parameters = parameters_below(configuration.parameters(), page.id);
+  if (json) {
+    Json document = {{"id", page.id}, {"title", page.title}, {"source", page.source}, {"provenance", page.provenance}, {"summary", page.summary}};
+    for (const NamedNetlist& unit : units_of(design)) {
+      Json& entry = document["units"][unit.name];
+      entry["built"] = counts_json(count(*unit.netlist, Portion::published));
+      entry["additional"] = counts_json(count(*unit.netlist, Portion::addition));
+      for (const Netlist::Port& port : unit.netlist->inputs()) entry["inputs"].push_back({{"name", port.name}, {"format", to_string(unit.netlist->nodes()[port.node].format)}});
+      for (const Netlist::Port& port : unit.netlist->outputs()) entry["outputs"].push_back(port.name);
+    }
+    document["interpolants"] = Json::array();
+    for (const Interpolant& i : design.interpolants) document["interpolants"].push_back(i.name);
+    document["parameters"] = Json::array();
+    for (const Parameter* p : parameters) document["parameters"].push_back(to_json(*p));
+    fmt::print("{}\n", document.dump(2));
+    return 0;
+  }
+  fmt::print("{}: {}\n  source      {}\n  provenance  {}\n  {}\n", page.id, page.title, page.source, page.provenance, page.summary);
+  print_units(design);
+  fmt::print("\n  interpolated beside u, v:");
+  for (const Interpolant& i : design.interpolants) fmt::print(" {}", i.name);
+  fmt::print("\n  bump map texel:");
+  for (const auto& channel : design.map.channels) fmt::print(" {} {}", channel.name, to_string(channel.format));
+  fmt::print("{}\n", design.map.note.empty() ? "" : " (" + design.map.note + ")");
+  for (const NamedNetlist& unit : units_of(design)) {
+    fmt::print("  inputs of {}:", unit.name);
+    for (const Netlist::Port& port : unit.netlist->inputs()) fmt::print(" {}", port.name);
+    fmt::print("\n");
+  }
+  fmt::print("\nparameters\n");
+  print_parameters(parameters);
+  return 0;
+}
+
+int describe_statistics(bool json) {
+  if (json) {
+    Json document = Json::array();
+    for (const StatisticMeaning& s : statistic_meanings())
+      document.push_back({{"module", s.module_kind}, {"statistic", s.statistic}, {"unit", s.unit}, {"meaning", s.meaning}, {"formula", s.formula}});
+    fmt::print("{}\n", document.dump(2));
+    return 0;
+  }
+  for (const StatisticMeaning& s : statistic_meanings())
+    fmt::print("{}.{} [{}]\n  {}{}\n", s.module_kind, s.statistic, s.unit, s.meaning, s.formula.empty() ? "" : "\n  = " + s.formula);
+  return 0;
+}
+
+int overview(const Parameters& parameters, bool json) {
+  std::map<std::string, int> modules;
+  for (const auto& [key, parameter] : parameters.all()) ++modules[module_of(key)];
+  if (json) {
+    Json document = {{"parameters", Json::array()}};
+    for (const auto& [key, parameter] : parameters.all()) document["parameters"].push_back(to_json(parameter));
+    fmt::print("{}\n", document.dump(2));
+    return 0;
+  }
+  fmt::print("bumpsim describe NAME explains one of these:\n\nschemes\n");
+  for (const Scheme* scheme : all_schemes()) fmt::print("  {:<20} {}\n", scheme->page().id, scheme->page().title);
+  fmt::print("\nmodules and their parameters\n");
+  for (const auto& [module, count] : modules) fmt::print("  {:<20} {} parameter{}\n", module, count, count == 1 ? "" : "s");
+  fmt::print("\n  {:<20} what every reported number means\n", "statistics");
+  return 0;
+}
+
+}  // namespace
+
+int describe_command(const DescribeArguments& arguments) {
+  const Parameters parameters = all_parameters();
+  if (arguments.name.empty()) return overview(parameters, arguments.json);
+  if (arguments.name == "statistics") return describe_statistics(arguments.json);
+  std::set<std::string> names = {"statistics"};
+  for (const Scheme* scheme : all_schemes()) {
+    if (scheme->page().id == arguments.name) return describe_scheme(*scheme, arguments.json);
+    names.insert(scheme->page().id);
+  }
+  const auto below = parameters_below(parameters, arguments.name);
+  if (!below.empty()) {
+    if (arguments.json) {
+      Json document = Json::array();
+      for (const Parameter* p : below) document.push_back(to_json(*p));
+      fmt::print("{}\n", document.dump(2));
+    } else {
+      print_parameters(below);
+    }
+    return 0;
+  }
+  for (const auto& [key, parameter] : parameters.all()) {
+    names.insert(key);
+    names.insert(module_of(key));
+  }
+  const std::string near = nearest_word(arguments.name, {names.begin(), names.end()});
+  throw Error({"there is nothing called '" + arguments.name + "'", {}, "it is no scheme, module or parameter", near.empty() ? "bumpsim describe" : "bumpsim describe " + near});
+}
+
+}  // namespace bump

@@ -1,0 +1,134 @@
+// `bumpsim run`: reads the scene, simulates, measures the picture against the references, writes the result folder, prints the summary.
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "system/simulation.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/configure.h"
+#include "testbench/program/interrupt.h"
+#include "testbench/program/progress.h"
+#include "testbench/program/shipped_scenes.h"
+#include "testbench/program/version.h"
+#include "testbench/reference/reference_renderer.h"
+#include "testbench/results/pending_folder.h"
+#include "testbench/results/result_json.h"
+#include "testbench/results/run_report.h"
+#include "testbench/results/summary.h"
+#include "testbench/results/result_folder.h"
+#include "testbench/scene/config_file.h"
+#include "testbench/scene/scene_file.h"
+#include "testbench/scene/scene_names.h"
+
+namespace bump {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The first of out/<scene>-<scheme>, out/<scene>-<scheme>-2 ... that does not exist: an earlier result is never touched.
+std::string new_output_folder(const std::string& scene, const std::string& scheme) {
+  const fs::path base = fs::path("out") / (scene + "-" + scheme);
+  fs::path folder = base;
+  for (int number = 2; fs::exists(fs::symlink_status(folder)); ++number) folder = base.string() + "-" + std::to_string(number);
+  return folder.string();
+}
+
+Engine engine_of(const RunArguments& arguments) {
+  if (arguments.engine != "dated" && arguments.engine != "stepped")
+    throw Error({"unknown engine '" + arguments.engine + "'", {}, "the engines are: dated, stepped", "--engine dated"});
+  const Engine engine = arguments.engine == "dated" ? Engine::dated : Engine::stepped;
+  if (engine == Engine::dated && !arguments.trace.empty())
+    throw Error({"--trace needs the clocked engine", {}, "the dated engine has no signals to write", "--engine stepped --trace " + arguments.trace});
+  return engine;
+}
+
+/// SystemC appends ".vcd" itself, and aborts when the file cannot be opened: so that is tried first.
+std::string trace_path(const std::string& given) {
+  if (given.empty()) return "";
+  const std::string stem = fs::path(given).extension() == ".vcd" ? given.substr(0, given.size() - 4) : given;
+  std::FILE* file = std::fopen((stem + ".vcd").c_str(), "a");
+  if (file == nullptr) throw Error({"cannot write the trace " + stem + ".vcd", {}, std::strerror(errno), "another path"});
+  std::fclose(file);
+  return stem;
+}
+
+Filter filter_of(const Configuration& configuration) {
+  const std::string& name = configuration.choice("texture_fetch.filter");
+  return name == "nearest" ? Filter::nearest : name == "bilinear" ? Filter::bilinear : Filter::trilinear;
+}
+
+void measure(RunReport& report, const Scene& scene, const Configuration& configuration) {
+  const Filter filter = filter_of(configuration);
+  const bool cull = configuration.choice("triangle_setup.cull") == "back";
+  const FrameBuffer reference = render_reference(scene, filter, ReferenceNormals::normal_map, cull);
+  stop_if_interrupted();
+  FrameBuffer blinn;
+  if (has_blinn_reference(scene)) blinn = render_reference(scene, filter, ReferenceNormals::blinn, cull);
+  stop_if_interrupted();
+  measure_quality(report, &reference, blinn.width > 0 ? &blinn : nullptr);
+}
+
+/// The image must be within the bound that the scheme states for its own quantisation.
+void check_stated_bound(const RunReport& report) {
+  if (!report.against_double || report.against_double->pixels == 0) return;
+  const double floor = report.result->quantisation_floor_db;
+  if (report.against_double->psnr_db >= floor) return;
+  throw Error(ErrorKind::self_check,
+              {fmt::format("self-check failed: the fixed-point picture is {:.1f} dB from the scheme's own double evaluation", report.against_double->psnr_db), {},
+               fmt::format("{} states at least {:.1f} dB for these widths", report.scheme->page().id, floor), "wider words, or report this as a fault of the scheme"});
+}
+
+}  // namespace
+
+int run_command(const RunArguments& arguments) {
+  const std::atomic<bool>& interrupted = watch_interrupts();
+  const Engine engine = engine_of(arguments);
+  const Configuration configuration = configure(arguments.configuration_files, arguments.settings);
+  const Scheme& scheme = find_scheme(arguments.scheme);
+  if (!arguments.out.empty()) check_output_folder(arguments.out, arguments.force);
+  const Scene scene = read_scene(find_scene_path(arguments.scene, scene_folders()));
+  for (const std::string& warning : scene.warnings) fmt::print(stderr, "bumpsim: warning: {}\n", warning);
+  const std::string out = arguments.out.empty() ? new_output_folder(scene.name, arguments.scheme) : arguments.out;
+  check_output_folder(out, arguments.force);
+
+  SimulationOptions options;
+  options.engine = engine;
+  options.trace = trace_path(arguments.trace);
+  options.cancelled = &interrupted;
+  Progress progress("simulating " + scene.name);
+  options.progress = [&progress](double share) { progress.update(share); };
+  const auto begin = std::chrono::steady_clock::now();
+  const SimulationResult result = simulate(scene, scheme, configuration, options);
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  RunReport report;
+  report.scene = &scene;
+  report.scheme = &scheme;
+  report.configuration = &configuration;
+  report.result = &result;
+  report.engine = arguments.engine;
+  report.resolved_toml = to_toml(configuration);
+  if (arguments.no_quality)
+    measure_quality(report, nullptr, nullptr);
+  else
+    measure(report, scene, configuration);
+  check_stated_bound(report);
+  report.host = host_facts(wall_s, result.fragments, compiler_text(), version_text());
+  stop_if_interrupted();
+  write_result(out, report, arguments.force);
+
+  if (arguments.json)
+    fmt::print("{}\n", to_json(report).dump(2));
+  else
+    fmt::print("{}\nresult in {}\n", summary(report), out);
+  return 0;
+}
+
+}  // namespace bump

@@ -1,0 +1,25 @@
+#include "testbench/program/scheme_units.h"
+
+namespace bump {
+
+std::vector<NamedNetlist> units_of(const Design& design) {
+  std::vector<NamedNetlist> units = {{"vertex", &design.vertex}};
+  if (design.conversion) units.push_back({"conversion", &*design.conversion});
+  units.push_back({"environment", &design.environment});
+  units.push_back({"illumination", &design.illumination});
+  return units;
+}
+
+const Netlist& unit_of(const Design& design, const std::string& scheme, const std::string& unit) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const NamedNetlist& known : units_of(design)) {
+    if (known.name == unit) return *known.netlist;
+    names.push_back(known.name);
+    list += (list.empty() ? "" : ", ") + known.name;
+  }
+  const std::string near = nearest_word(unit, names);
+  throw Error({"scheme " + scheme + " has no unit '" + unit + "'", {}, "its units are: " + list, near.empty() ? "" : near});
+}
+
+}  // namespace bump

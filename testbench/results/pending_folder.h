@@ -1,0 +1,38 @@
+#pragma once
+// A result folder that appears all at once or not at all: files are written to `<out>.partial-<pid>` beside it, every write is checked, and
+// the folder is renamed into place when it is complete. Whatever happens before, an earlier result stays untouched and the partial folder
+// goes away: by the destructor, or from a signal handler by remove_partial_result().
+
+#include <string>
+#include <string_view>
+
+namespace bump {
+
+/// Throws Error(input) if a result cannot be written to `out`: something else than a folder is in the way, the folder holds anything but a
+/// result of this program, or it holds one and `force` is not set. Creates nothing; call it before a long run.
+void check_output_folder(const std::string& out, bool force);
+
+class PendingFolder {
+ public:
+  /// Checks as above, creates missing parent folders and the partial folder. One at a time in a process.
+  PendingFolder(const std::string& out, bool force);
+  ~PendingFolder();
+  PendingFolder(const PendingFolder&) = delete;
+  PendingFolder& operator=(const PendingFolder&) = delete;
+
+  /// Writes a new file. Throws Error(input) naming the file and the system's reason when the disk is full or anything else goes wrong.
+  void write(const std::string& name, std::string_view bytes);
+  /// Moves the folder into place; an earlier result is removed only after that.
+  void commit();
+  const std::string& partial_path() const { return partial_; }
+
+ private:
+  std::string out_, partial_, replaced_;
+  bool committed_ = false;
+};
+
+/// Removes the partial folder of a write in progress, and puts back an earlier result that was about to be replaced. Does nothing when no
+/// write is in progress. Async-signal-safe: for handlers that end the process.
+void remove_partial_result() noexcept;
+
+}  // namespace bump

@@ -1,0 +1,174 @@
+// The texture unit: texels as the filter says, and every line, hit, miss and footprint accounted for.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+
+#include "samples.h"
+#include "units/bump_map.h"
+#include "units/texture_fetch.h"
+
+namespace bump {
+namespace {
+
+TEST_CASE("every texel has an address of its own, a tile of four-byte texels is a line, and levels start on lines") {
+  const auto texture = samples::texture(21, 10, 3, 1);
+  const TextureLayout layout(*texture, 100, 64);
+  std::set<std::uint64_t> seen;
+  for (int l = 0; l < static_cast<int>(texture->levels.size()); ++l) {
+    const TextureLevel& level = texture->levels[static_cast<std::size_t>(l)];
+    CHECK(layout.address(l, 0, 0) % 64 == 0);
+    for (int y = 0; y < level.height; ++y) {
+      for (int x = 0; x < level.width; ++x) {
+        const std::uint64_t address = layout.address(l, x, y);
+        REQUIRE((address >= 100 && address + 4 <= layout.end()));
+        REQUIRE(seen.insert(address).second);
+        REQUIRE(address / 64 == layout.address(l, x / 4 * 4, y / 4 * 4) / 64);
+      }
+    }
+  }
+}
+
+TEST_CASE("a bump map holds each level's own normals, encoded, and rounds them to the channels' formats") {
+  const auto normals = samples::normals(16, 8, 5);
+  Design design = samples::design();
+  const Texture map = encode_bump_map(*normals, design.map);
+  const Texture stored = quantise_texels(map, design.map);
+  REQUIRE(map.levels.size() == normals->levels.size());
+  CHECK(map.bytes_per_texel == 4);  // 3 x 10 bits
+  double largest = 0;
+  for (std::size_t l = 0; l < map.levels.size(); ++l) {
+    for (std::size_t i = 0; i < map.levels[l].texels.size(); i += 3) {
+      const double* n = &normals->levels[l].texels[i];
+      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        REQUIRE(map.levels[l].texels[i + c] == Approx(n[c] / length));
+        const double word = stored.levels[l].texels[i + c] * 256;
+        REQUIRE(word == std::floor(word));
+        largest = std::max(largest, std::fabs(stored.levels[l].texels[i + c] - map.levels[l].texels[i + c]));
+      }
+    }
+  }
+  CHECK(largest <= 0.5 / 256);
+  CHECK(largest > 0.4 / 256);
+  design.map.channels[0].format = sfixed(13, 11);
+  CHECK(bytes_per_texel(design.map) == 8);
+  design.map.channels.resize(1);
+  CHECK(bytes_per_texel(design.map) == 2);
+}
+
+/// Runs the texture unit over a scene with the given filter and compares every fragment with sample() and a replay of the cache.
+void compare(Filter filter, int footprints_per_cycle) {
+  const Scene scene = samples::crowded_scene();
+  const auto context = samples::context(scene);
+  const samples::Geometry geometry = samples::rasterize(context);
+  TextureFetchConfig config;
+  config.filter = filter;
+  config.footprints_per_cycle = footprints_per_cycle;
+  config.cache = {4, 2, 64};
+  TextureFetch unit(context, config);
+  TextureCache cache(config.cache);
+  const Design design = samples::design();
+  // Placement in memory: colour and map of each object in turn.
+  std::vector<Texture> colours, maps, exact_maps;
+  std::vector<TextureLayout> colour_layouts, map_layouts;
+  std::uint64_t end = 0;
+  for (const SceneObject& object : scene.objects) {
+    colours.push_back(*object.colour);
+    exact_maps.push_back(encode_bump_map(*object.normals, design.map));
+    maps.push_back(quantise_texels(exact_maps.back(), design.map));
+    colour_layouts.emplace_back(colours.back(), end, 64);
+    map_layouts.emplace_back(maps.back(), colour_layouts.back().end(), 64);
+    end = map_layouts.back().end();
+  }
+  TextureCounters expected;
+  for (const auto& block : geometry.blocks) {
+    unit.process(*block);
+    REQUIRE(block->texture_records.size() == static_cast<std::size_t>(block->lanes));
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(block->lanes); ++lane) {
+      const auto object = static_cast<std::size_t>(block->object);
+      std::vector<std::uint64_t> lines;
+      unsigned footprints = 0, misses = 0;
+      const auto access = [&](const Texture& texture, const TextureLayout& layout, double lod) {
+        TexelTap taps[8];
+        const int count = texel_taps(texture, filter, block->u[lane], block->v[lane], lod, taps);
+        expected.reads += count;
+        footprints += count > 4 ? 2 : 1;
+        for (int i = 0; i < count; ++i) {
+          const std::uint64_t address = layout.address(taps[i].level, taps[i].x, taps[i].y);
+          if (std::count(lines.begin(), lines.end(), address / 64)) continue;
+          lines.push_back(address / 64);
+          const bool hit = cache.access(address);
+          ++expected.accesses;
+          ++(hit ? expected.hits : expected.misses);
+          misses += hit ? 0 : 1;
+        }
+      };
+      const double lod = block->lod[lane] + 5;  // both textures are 32 x 32
+      access(colours[object], colour_layouts[object], lod);
+      access(maps[object], map_layouts[object], lod);
+      const TokenRecord& record = block->texture_records[lane];
+      REQUIRE(record.interval ==
+              (footprints + static_cast<unsigned>(footprints_per_cycle) - 1) / static_cast<unsigned>(footprints_per_cycle));
+      REQUIRE(record.misses == misses);
+      double texel[3];
+      const char* axes[3] = {"x", "y", "z"};
+      const char* channels[3] = {"r", "g", "b"};
+      const auto check = [&](const Texture& texture, const std::vector<Lanes>& planes, const std::string& prefix,
+                             const char* const* names) {
+        sample(texture, filter, block->u[lane], block->v[lane], lod, texel);
+        for (int c = 0; c < 3; ++c) REQUIRE(planes[static_cast<std::size_t>(context->planes.index(prefix + names[c]))][lane] == texel[c]);
+      };
+      check(colours[object], block->hardware, "tex.", channels);
+      check(maps[object], block->hardware, "map.", axes);
+      check(exact_maps[object], block->exact, "map.", axes);
+    }
+  }
+  CHECK(unit.counters().reads == expected.reads);
+  CHECK(unit.counters().accesses == expected.accesses);
+  CHECK(unit.counters().hits == expected.hits);
+  CHECK(unit.counters().misses == expected.misses);
+  CHECK(unit.counters().bytes == 64 * expected.misses);
+  CHECK(expected.misses > 0);
+  CHECK(expected.hits > 0);
+}
+
+TEST_CASE("texels, lines, hits and intervals are those of a replay, nearest") {
+  compare(Filter::nearest, 2);
+}
+TEST_CASE("texels, lines, hits and intervals are those of a replay, bilinear") {
+  compare(Filter::bilinear, 1);
+}
+TEST_CASE("texels, lines, hits and intervals are those of a replay, trilinear") {
+  compare(Filter::trilinear, 3);
+}
+
+TEST_CASE("a bump map that must not be filtered is read one texel at a time") {
+  const Scene scene = samples::scene({samples::object(samples::plane(1))});
+  std::vector<Design> designs;
+  designs.push_back(samples::design());
+  designs[0].map.filterable = false;
+  const auto context = make_context(scene, std::move(designs), {0}, {});
+  const samples::Geometry geometry = samples::rasterize(context);
+  TextureFetch unit(context, {});
+  for (const auto& block : geometry.blocks) unit.process(*block);
+  CHECK(unit.counters().reads == 5 * geometry.raster.fragments);
+}
+
+TEST_CASE("objects that share a texture share it in memory") {
+  SceneObject one = samples::object(samples::plane(1)), two = one;
+  two.to_world = glm::translate(glm::dmat4(1), {0.1, 0.0, 0.5});
+  const Scene scene = samples::scene({one, two});
+  const auto context = samples::context(scene);
+  const samples::Geometry geometry = samples::rasterize(context);
+  TextureFetchConfig config;
+  config.cache = {1024, 4, 64};
+  TextureFetch unit(context, config);
+  for (const auto& block : geometry.blocks) unit.process(*block);
+  // 32 x 32 texels of 4 bytes are 64 lines; all levels of both textures together hold less than 200.
+  CHECK(unit.counters().misses < 200);
+  CHECK(unit.counters().accesses > 2000);
+}
+
+}  // namespace
+}  // namespace bump
