@@ -29,6 +29,7 @@ class SteppedEngine : public sc_core::sc_module, public TimingPlane {
   /// Writes a VCD: occupancy, valid and ready of every FIFO; busy, in-flight count and state of every stage. Call before simulation starts.
   /// The path has no ".vcd" suffix (SystemC adds it).
   void trace(const std::string& path);
+  using sc_core::sc_module::trace;
 
   /// Valid once the simulation has ended: sc_start() returned because every token was delivered (the engine calls sc_stop()).
   /// Throws Error(deadlock) if the watchdog stopped the simulation, and whatever `refill` threw.

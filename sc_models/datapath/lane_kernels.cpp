@@ -115,6 +115,20 @@ BUMP_LANE_LOOP void floating_addresses(const std::int64_t* __restrict index, int
   }
 }
 
+BUMP_LANE_LOOP void read_plain(const std::int64_t* __restrict words, const std::int64_t* __restrict address, std::int64_t* __restrict out,
+                               int lanes) {
+  for (int i = 0; i < lanes; ++i) out[i] = words[address[i]];
+}
+
+BUMP_LANE_LOOP void read_folded(const std::int64_t* __restrict words, const std::int64_t* __restrict address,
+                                const std::int64_t* __restrict negative, std::int64_t odd_zero, const std::int64_t* __restrict beyond,
+                                std::int64_t odd_quarter, std::int64_t* __restrict out, int lanes) {
+  for (int i = 0; i < lanes; ++i) {
+    const std::int64_t sign = (negative[i] & odd_zero) ^ (beyond[i] & odd_quarter);
+    out[i] = (words[address[i]] ^ sign) - sign;
+  }
+}
+
 }  // namespace
 
 void quantise(const double* values, const Format& to, Words words, int lanes) {
@@ -230,12 +244,10 @@ void addresses(const Table& table, ConstWords index, Words address, Words negati
   }
 }
 
-BUMP_LANE_LOOP void read(ConstWords words, ConstWords address, ConstWords negative, std::int64_t odd_zero, ConstWords beyond,
-                         std::int64_t odd_quarter, Words out, int lanes) {
-  for (int i = 0; i < lanes; ++i) {
-    const std::int64_t sign = (negative[i] & odd_zero) ^ (beyond[i] & odd_quarter);
-    out[i] = (words[address[i]] ^ sign) - sign;
-  }
+void read(ConstWords words, ConstWords address, ConstWords negative, std::int64_t odd_zero, ConstWords beyond, std::int64_t odd_quarter,
+          Words out, int lanes) {
+  if ((odd_zero | odd_quarter) == 0) return read_plain(words, address, out, lanes);
+  read_folded(words, address, negative, odd_zero, beyond, odd_quarter, out, lanes);
 }
 
 }  // namespace lanes

@@ -27,11 +27,14 @@ TextureCache::TextureCache(const CacheGeometry& geometry) : geometry_(geometry) 
                  "a power of two"});
   if (geometry.ways < 1)
     throw Error({"texture cache of " + std::to_string(geometry.ways) + " ways", {}, "a set holds a line or more", "1 or more"});
+  while ((1 << line_shift_) < geometry.line_bytes) ++line_shift_;
   tags_.assign(static_cast<std::size_t>(geometry.sets) * static_cast<std::size_t>(geometry.ways), empty);
 }
 
 std::uint64_t TextureCache::line_of(std::uint64_t address) const {
-  return address / static_cast<std::uint64_t>(geometry_.line_bytes);
+  return address >> line_shift_;
+}
+return address / static_cast<std::uint64_t>(geometry_.line_bytes);
 }
 
 bool TextureCache::access(std::uint64_t address) {

@@ -1,6 +1,6 @@
 #pragma once
-// Tags of the texture cache: set-associative, true LRU, in-order look-up, one tag array for all textures. Hit or miss depends on the order of
-// addresses only, so this is pure state without time; the memory port (timing_graph.h) dates the misses.
+// Tags of the texture cache: set-associative, true LRU, in-order look-up, one tag array for all textures. Hit or miss depends on the order
+// of addresses only, so this is pure state without time; the memory port (timing_graph.h) dates the misses.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace bump {
 
 struct CacheGeometry {
-  int sets = 32;        ///< power of two
+  int sets = 32;  ///< power of two
   int ways = 4;
   int line_bytes = 64;  ///< power of two
   bool operator==(const CacheGeometry& o) const { return sets == o.sets && ways == o.ways && line_bytes == o.line_bytes; }
@@ -23,6 +23,7 @@ class TextureCache {
 
  private:
   CacheGeometry geometry_;
+  int line_shift_ = 0;               ///< log2 of the bytes of a line
   std::vector<std::uint64_t> tags_;  ///< sets x ways, most recently used first; ~0 is empty
 };
 

@@ -65,7 +65,7 @@ struct Scene {
   struct InputFile {
     std::string path, sha256;
   };
-  std::vector<InputFile> inputs;      ///< every file that was read, in order
+  std::vector<InputFile> inputs;      ///< every file that was read, in order; paths from the scene's folder
   std::vector<std::string> warnings;  ///< what the reader noticed and mended
 };
 

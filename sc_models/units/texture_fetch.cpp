@@ -77,54 +77,74 @@ int TextureFetch::place(std::shared_ptr<const Texture> hardware, std::shared_ptr
   return static_cast<int>(residents_.size()) - 1;
 }
 
-void TextureFetch::touch(const Resident& texture, const TexelTap* taps, int count) {
-  counters_.reads += count;
-  for (int i = 0; i < count; ++i) {
-    if (i == 0 || taps[i].level != taps[i - 1].level) ++footprints_;
-    const std::uint64_t address = texture.layout.address(taps[i].level, taps[i].x, taps[i].y), line = cache_.line_of(address);
-    if (std::find(lines_.begin(), lines_.end(), line) != lines_.end()) continue;
-    lines_.push_back(line);
-    ++counters_.accesses;
-    if (cache_.access(address)) {
-      ++counters_.hits;
-    } else {
-      ++counters_.misses;
-      ++misses_;
-      counters_.bytes += config_.cache.line_bytes;
-    }
+void TextureFetch::look_up(std::uint64_t address) {
+  const std::uint64_t line = cache_.line_of(address);
+  for (std::size_t i = line_count_; i-- > 0;)
+    if (lines_[i] == line) return;
+  lines_[line_count_++] = line;
+  ++counters_.accesses;
+  if (cache_.access(address)) {
+    ++counters_.hits;
+  } else {
+    ++counters_.misses;
+    ++misses_;
+    counters_.bytes += config_.cache.line_bytes;
   }
 }
 
-int TextureFetch::fetch(const Resident& texture, double u, double v, double lod, TexelTap taps[8]) {
-  const int count = texel_taps(*texture.hardware, config_.filter, u, v, lod_of_access(*texture.hardware, config_.filter, lod), taps);
-  touch(texture, taps, count);
-  return count;
+void TextureFetch::fetch_footprint(const Resident& texture, const BilinearFootprint& f, FragmentBlock& block, std::size_t lane, int plane) {
+  counters_.reads += 4;
+  ++footprints_;
+  const auto same_tile = [](int a, int b) {
+    return static_cast<unsigned>(a) / TextureLayout::tile == static_cast<unsigned>(b) / TextureLayout::tile;
+  };
+  look_up(texture.layout.address(0, f.x0, f.y0));
+  if (!(texture.layout.tile_in_line() && same_tile(f.x0, f.x1) && same_tile(f.y0, f.y1))) {
+    look_up(texture.layout.address(0, f.x1, f.y0));
+    look_up(texture.layout.address(0, f.x0, f.y1));
+    look_up(texture.layout.address(0, f.x1, f.y1));
+  }
+  const auto store_in = [&](std::vector<Lanes>& planes) {
+    return [&planes, lane, plane](std::size_t channel, double value) { planes[static_cast<std::size_t>(plane) + channel][lane] = value; };
+  };
+  filter_footprint(*texture.hardware, texture.hardware->levels.front(), f, store_in(block.hardware));
+  if (texture.exact) filter_footprint(*texture.exact, texture.exact->levels.front(), f, store_in(block.exact));
+}
+
+void TextureFetch::fetch(const Resident& texture, FragmentBlock& block, std::size_t lane, int plane) {
+  const Texture& hardware = *texture.hardware;
+  const double u = block.u[lane], v = block.v[lane];
+  // The bilinear filter reads level 0 only (memory/level_of_detail.h): nearly all fetches of nearly all runs.
+  BilinearFootprint footprint;
+  if (config_.filter == Filter::bilinear && hardware.filterable && find_footprint(hardware, hardware.levels.front(), u, v, footprint)) {
+    fetch_footprint(texture, footprint, block, lane, plane);
+    return;
+  }
+  TexelTap taps[8];
+  const int count = texel_taps(hardware, config_.filter, u, v, lod_of_access(hardware, config_.filter, block.lod[lane]), taps);
+  counters_.reads += count;
+  for (int i = 0; i < count; ++i) {
+    if (i == 0 || taps[i].level != taps[i - 1].level) ++footprints_;
+    look_up(texture.layout.address(taps[i].level, taps[i].x, taps[i].y));
+  }
+  const auto store = [&](const Texture& from, std::vector<Lanes>& planes) {
+    filter_texels(from, taps, count, texel_.data());
+    for (std::size_t c = 0; c < static_cast<std::size_t>(from.channels); ++c) planes[static_cast<std::size_t>(plane) + c][lane] = texel_[c];
+  };
+  store(hardware, block.hardware);
+  if (texture.exact) store(*texture.exact, block.exact);
 }
 
 void TextureFetch::process(FragmentBlock& block) {
   const ObjectTextures& textures = objects_[static_cast<std::size_t>(block.object)];
   const Resident& colour = residents_[static_cast<std::size_t>(textures.colour)];
   const Resident& map = residents_[static_cast<std::size_t>(textures.map)];
-  const auto channels = static_cast<std::size_t>(map.hardware->channels);
-  std::vector<double> texel(std::max<std::size_t>(3, channels));
-  const auto store = [&](std::vector<Lanes>& planes, int first, std::size_t count, std::size_t lane) {
-    for (std::size_t c = 0; c < count; ++c) planes[static_cast<std::size_t>(first) + c][lane] = texel[c];
-  };
-  TexelTap taps[8];
+  texel_.resize(static_cast<std::size_t>(std::max(colour.hardware->channels, map.hardware->channels)));
   for (std::size_t lane = 0; lane < static_cast<std::size_t>(block.lanes); ++lane) {
-    const double u = block.u[lane], v = block.v[lane], lod = block.lod[lane];
-    lines_.clear();
+    line_count_ = 0;
     footprints_ = misses_ = 0;
-    int count = fetch(colour, u, v, lod, taps);
-    filter_texels(*colour.hardware, taps, count, texel.data());
-    store(block.hardware, colour_plane_, 3, lane);
-    count = fetch(map, u, v, lod, taps);
-    filter_texels(*map.hardware, taps, count, texel.data());
-    store(block.hardware, map_plane_, channels, lane);
-    if (map.exact) {
-      filter_texels(*map.exact, taps, count, texel.data());
-      store(block.exact, map_plane_, channels, lane);
-    }
+    fetch(colour, block, lane, colour_plane_);
+    fetch(map, block, lane, map_plane_);
     TokenRecord record;
     record.interval = static_cast<std::uint32_t>((footprints_ + config_.footprints_per_cycle - 1) / config_.footprints_per_cycle);
     record.misses = static_cast<std::uint16_t>(misses_);

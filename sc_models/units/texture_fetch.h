@@ -6,11 +6,13 @@
 // memory port dates them. Source: Hakura and Gupta, ISCA 1997; Igehy, Eldridge and Proudfoot, "Prefetching in a texture cache
 // architecture", 1998.
 
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "channels/parameters.h"
 #include "memory/texture_cache.h"
+#include "units/bilinear_footprint.h"
 #include "units/counters.h"
 #include "units/pipeline_context.h"
 #include "units/texture_layout.h"
@@ -48,18 +50,22 @@ class TextureFetch {
   };
 
   int place(std::shared_ptr<const Texture> hardware, std::shared_ptr<const Texture> exact);
-  int fetch(const Resident& texture, double u, double v, double lod, TexelTap taps[8]);
-  void touch(const Resident& texture, const TexelTap* taps, int count);
+  /// Texels of one texture for one fragment, into the planes from `plane` on.
+  void fetch(const Resident& texture, FragmentBlock& block, std::size_t lane, int plane);
+  void fetch_footprint(const Resident& texture, const BilinearFootprint& footprint, FragmentBlock& block, std::size_t lane, int plane);
+  void look_up(std::uint64_t address);
 
   std::shared_ptr<const PipelineContext> context_;
   TextureFetchConfig config_;
   TextureCache cache_;
   TextureCounters counters_;
   std::vector<Resident> residents_;
-  std::vector<ObjectTextures> objects_;   ///< one per scene object
-  int colour_plane_ = 0, map_plane_ = 0;  ///< first of the texel planes
-  std::vector<std::uint64_t> lines_;      ///< distinct lines of the fragment so far
-  int footprints_ = 0, misses_ = 0;       ///< of the fragment so far
+  std::vector<ObjectTextures> objects_;    ///< one per scene object
+  int colour_plane_ = 0, map_plane_ = 0;   ///< first of the texel planes
+  std::array<std::uint64_t, 16> lines_{};  ///< distinct lines of the fragment so far: two textures, eight texels each
+  std::size_t line_count_ = 0;
+  std::vector<double> texel_;        ///< channels of one texture, for the general way
+  int footprints_ = 0, misses_ = 0;  ///< of the fragment so far
 };
 
 }  // namespace bump

@@ -3,13 +3,16 @@
 namespace bump {
 
 TextureLayout::TextureLayout(const Texture& texture, std::uint64_t base, int line_bytes)
-    : bytes_per_texel_(static_cast<std::uint64_t>(texture.bytes_per_texel)), end_(base) {
+    : bytes_per_texel_(static_cast<std::uint64_t>(texture.bytes_per_texel)),
+      end_(base),
+      tile_in_line_(static_cast<unsigned>(line_bytes) % (tile * tile * static_cast<unsigned>(texture.bytes_per_texel)) == 0) {
   const auto line = static_cast<std::uint64_t>(line_bytes);
   for (const TextureLevel& level : texture.levels) {
-    const int across = (level.width + tile - 1) / tile, down = (level.height + tile - 1) / tile;
+    const unsigned across = (static_cast<unsigned>(level.width) + tile - 1) / tile,
+                   down = (static_cast<unsigned>(level.height) + tile - 1) / tile;
     const std::uint64_t start = (end_ + line - 1) / line * line;
     levels_.push_back({start, across});
-    end_ = start + static_cast<std::uint64_t>(across) * static_cast<std::uint64_t>(down) * tile * tile * bytes_per_texel_;
+    end_ = start + std::uint64_t{across} * down * tile * tile * bytes_per_texel_;
   }
 }
 

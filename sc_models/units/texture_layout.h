@@ -12,7 +12,7 @@ namespace bump {
 
 class TextureLayout {
  public:
-  static constexpr int tile = 4;
+  static constexpr unsigned tile = 4;
 
   /// Places the texture at the first line boundary from `base` on.
   TextureLayout(const Texture& texture, std::uint64_t base, int line_bytes);
@@ -20,19 +20,23 @@ class TextureLayout {
   /// Byte address of a texel; coordinates inside the level.
   std::uint64_t address(int level, int x, int y) const {
     const Level& at = levels_[static_cast<std::size_t>(level)];
-    const int tile_index = (y / tile) * at.tiles_across + x / tile, inside = (y % tile) * tile + x % tile;
-    return at.base + (static_cast<std::uint64_t>(tile_index) * tile * tile + static_cast<std::uint64_t>(inside)) * bytes_per_texel_;
+    const auto column = static_cast<unsigned>(x), row = static_cast<unsigned>(y);
+    const unsigned tile_index = (row / tile) * at.tiles_across + column / tile, inside = (row % tile) * tile + column % tile;
+    return at.base + (std::uint64_t{tile_index} * tile * tile + inside) * bytes_per_texel_;
   }
+  /// Whether all texels of a tile lie in one line.
+  bool tile_in_line() const { return tile_in_line_; }
   /// First byte behind the texture.
   std::uint64_t end() const { return end_; }
 
  private:
   struct Level {
     std::uint64_t base = 0;
-    int tiles_across = 0;
+    unsigned tiles_across = 0;
   };
   std::vector<Level> levels_;
   std::uint64_t bytes_per_texel_ = 0, end_ = 0;
+  bool tile_in_line_ = false;
 };
 
 }  // namespace bump

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 /// Scene files and configuration files are both TOML; only scenes have any of these tables.
 bool is_scene(const std::string& path) {
-  const TomlValue document = parse_toml(read_bytes(path, "file", {}, true), path);
+  const TomlValue document = parse_toml(read_bytes(path, "file"), path);
   for (const char* key : {"frame", "camera", "light", "object"})
     if (document.find(key) != nullptr) return true;
   return false;

@@ -2,9 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
 #include <cstdio>
 #include <functional>
 #include <iostream>
+#include <system_error>
 
 #include "datapath/error.h"
 #include "testbench/program/commands.h"
@@ -94,11 +96,15 @@ int command_line(int argc, char* argv[]) {
 
   try {
     const int code = chosen();
-    if (std::fflush(stdout) != 0 || !std::cout.flush()) throw Error({"cannot write to standard output", {}, "the disk is full or the reader has gone"});
+    if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category());
     return code;
   } catch (const Error& error) {
     std::cerr << "bumpsim: " << error.what() << '\n';
     return static_cast<int>(error.kind());
+  } catch (const std::system_error& error) {
+    // Files are written with checks of their own; what is left is the program's own output.
+    std::cerr << "bumpsim: cannot write to standard output\n  why: " << error.code().message() << '\n';
+    return static_cast<int>(ErrorKind::input);
   } catch (const std::bad_alloc&) {
     std::cerr << "bumpsim: out of memory\n  try: a smaller frame or mesh\n";
     return static_cast<int>(ErrorKind::input);

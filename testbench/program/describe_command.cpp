@@ -14,6 +14,7 @@
 #include "testbench/program/commands.h"
 #include "testbench/program/configure.h"
 #include "testbench/program/scheme_units.h"
+#include "testbench/results/statistics_table.h"
 
 namespace bump {
 
@@ -98,15 +99,22 @@ int describe_scheme(const Scheme& scheme, bool json) {
   return 0;
 }
 
+/// Those of the timing plane, then those of the units and pictures.
+std::vector<StatisticMeaning> all_meanings() {
+  std::vector<StatisticMeaning> meanings = statistic_meanings();
+  for (StatisticMeaning& meaning : result_statistic_meanings()) meanings.push_back(std::move(meaning));
+  return meanings;
+}
+
 int describe_statistics(bool json) {
   if (json) {
     Json document = Json::array();
-    for (const StatisticMeaning& s : statistic_meanings())
+    for (const StatisticMeaning& s : all_meanings())
       document.push_back({{"module", s.module_kind}, {"statistic", s.statistic}, {"unit", s.unit}, {"meaning", s.meaning}, {"formula", s.formula}});
     fmt::print("{}\n", document.dump(2));
     return 0;
   }
-  for (const StatisticMeaning& s : statistic_meanings())
+  for (const StatisticMeaning& s : all_meanings())
     fmt::print("{}.{} [{}]\n  {}{}\n", s.module_kind, s.statistic, s.unit, s.meaning, s.formula.empty() ? "" : "\n  = " + s.formula);
   return 0;
 }

@@ -1,8 +1,10 @@
 #include "testbench/program/interrupt.h"
 
 #include <csignal>
+#include <cstdlib>
 
 #include "datapath/error.h"
+#include "testbench/results/pending_folder.h"
 
 namespace bump {
 
@@ -12,8 +14,11 @@ std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
 void on_signal(int signal_number) {
-  interrupted = true;
-  std::signal(signal_number, SIG_DFL);
+  if (interrupted.exchange(true)) {
+    remove_partial_result();
+    std::_Exit(static_cast<int>(ErrorKind::cancelled));
+  }
+  std::signal(signal_number, on_signal);
 }
 
 }  // namespace

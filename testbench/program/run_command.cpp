@@ -122,12 +122,9 @@ int run_command(const RunArguments& arguments) {
   check_stated_bound(report);
   report.host = host_facts(wall_s, result.fragments, compiler_text(), version_text());
   stop_if_interrupted();
+  report.out = out;
   write_result(out, report, arguments.force);
-
-  if (arguments.json)
-    fmt::print("{}\n", to_json(report).dump(2));
-  else
-    fmt::print("{}\nresult in {}\n", summary(report), out);
+  fmt::print("{}", arguments.json ? json_text(report) : summary(report));
   return 0;
 }
 

@@ -80,9 +80,9 @@ Quality compare_frames(const FrameBuffer& test, const FrameBuffer& reference) {
     quality.rpmse[c] = std::sqrt(quality.pmse[c]);
   }
   const double mean_squared = (squared[0] + squared[1] + squared[2]) / (3 * pixels);
-  quality.psnr_db = !any ? nothing : mean_squared > 0 ? -10 * std::log10(mean_squared) : std::numeric_limits<double>::infinity();
+  quality.psnr_db = !any ? nothing : mean_squared == 0 ? std::numeric_limits<double>::infinity() : -10 * std::log10(mean_squared);
   quality.mean_error = any ? 255 * absolute / (3 * pixels) : nothing;
-  if (!any) quality.max_error = nothing;
+  if (!any || std::isnan(mean_squared)) quality.max_error = nothing;  // std::max drops colours that are not numbers
   return quality;
 }
 

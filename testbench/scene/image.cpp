@@ -99,6 +99,9 @@ Image decode_image(const std::string& path, const std::string& bytes, const Loca
   const auto input = OIIO::ImageInput::create(format);
   if (!input)
     throw Error({named + " cannot be read", where, "the reader for " + format + " is missing: " + one_line(OIIO::geterror()), ""});
+  // The bytes that were hashed are the bytes that are decoded, wherever the reader can take them from memory.
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  if (input->supports("ioproxy")) input->set_ioproxy(&memory);
   if (!input->open(path, spec, hints)) throw damaged(one_line(input->geterror()));
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw Error({named + " has no pixels", where, "", "re-export the file"});
   if (spec.depth > 1 || spec.deep) throw Error({named + " is not a flat picture", where, "volumes and deep images have no place here", ""});
@@ -124,7 +127,8 @@ Image decode_image(const std::string& path, const std::string& bytes, const Loca
     image.bits = 32;
     complete = read_pixels<float>(*input, spec, OIIO::TypeDesc::FLOAT, 1.0, image);
   }
-  if (!complete) throw damaged(one_line(input->geterror()));
+  // The TIFF reader reports success and leaves an error behind when strips are missing.
+  if (!complete || input->has_error()) throw damaged(one_line(input->geterror()));
   const auto bad = std::find_if(image.values.begin(), image.values.end(), [](double value) { return !std::isfinite(value); });
   if (bad != image.values.end()) {
     const long texel = (bad - image.values.begin()) / image.channels;

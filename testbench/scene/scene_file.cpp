@@ -134,6 +134,12 @@ Scene read_scene(const std::string& path) {
     read_scene_file(path, files, textures, scene);
   }
   scene.inputs = files.list();
+  // Named from the scene's folder, so that a result does not depend on where the program was called.
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path().lexically_normal();
+  for (auto& input : scene.inputs) {
+    const auto relative = std::filesystem::path(input.path).lexically_normal().lexically_relative(folder.empty() ? "." : folder);
+    if (!relative.empty()) input.path = relative.generic_string();
+  }
   return scene;
 }
 

@@ -25,9 +25,15 @@ TablePtr light_table(const std::string& name, const std::string& formula, const 
 
 }  // namespace
 
-Format light_format() { return ufixed(16, 15); }
-Format intensity_format() { return ufixed(17, 15); }
-Format clamped_dot_format(int fraction) { return ufixed(fraction, fraction); }
+Format light_format() {
+  return ufixed(16, 15);
+}
+Format intensity_format() {
+  return ufixed(17, 15);
+}
+Format clamped_dot_format(int fraction) {
+  return ufixed(fraction, fraction);
+}
 
 TablePtr diffuse_table(const Format& index, int address_bits, const Material& material) {
   return light_table("DIFF", "kd x", index, address_bits, [kd = material.diffuse](double x) { return kd * x; });
@@ -38,12 +44,16 @@ TablePtr specular_table(const Format& index, int address_bits, const Material& m
                      [ks = material.specular, n = material.shininess](double x) { return x > 0 ? ks * std::pow(x, n) : 0.0; });
 }
 
-double angular_slope(const Material& material) { return material.diffuse + 0.61 * material.specular * std::sqrt(std::max(1.0, material.shininess)); }
+double angular_slope(const Material& material) {
+  return material.diffuse + 0.61 * material.specular * std::sqrt(std::max(1.0, material.shininess));
+}
 
 double light_table_error(const Material& material, int address_bits) {
   return std::ldexp(material.diffuse + material.specular * std::max(1.0, material.shininess), -address_bits - 1);
 }
 
-Wire clamp_dot(Netlist& n, const std::string& name, Wire dot, int fraction) { return n.clamp(name, dot, 0, 1, clamped_dot_format(fraction)); }
+Wire clamp_dot(Netlist& n, const std::string& name, Wire dot, int fraction) {
+  return n.clamp(name, dot, 0, 1, clamped_dot_format(fraction));
+}
 
 }  // namespace bump

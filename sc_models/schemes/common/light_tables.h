@@ -1,7 +1,7 @@
 #pragma once
-// The light tables: intensities indexed by a dot product, so that material coefficients and the power cost no multiplier (Lee 2007, section 6:
-// scalar index, 2^8 to 2^10 words of 16 bits; power table of Ernst 1998 as Lee 2007 counts it). The dot product is clamped to [0, 1] in front,
-// which is max(0, .) and lets the whole ROM serve lit pixels. Contents follow the material: one copy per material of a scene.
+// The light tables: intensities indexed by a dot product, so that material coefficients and the power cost no multiplier (Lee 2007, section
+// 6: scalar index, 2^8 to 2^10 words of 16 bits; power table of Ernst 1998 as Lee 2007 counts it). The dot product is clamped to [0, 1] in
+// front, which is max(0, .) and lets the whole ROM serve lit pixels. Contents follow the material: one copy per material of a scene.
 
 #include <string>
 
@@ -22,7 +22,8 @@ TablePtr diffuse_table(const Format& index, int address_bits, const Material& ma
 /// ks * x^n, 0 <= x <= 1; 0 at x = 0.
 TablePtr specular_table(const Format& index, int address_bits, const Material& material);
 
-/// Largest change of diffuse plus specular intensity with an angle, per radian: kd + 0.61 ks sqrt(n), the slope of cos and of cos^n at their steepest.
+/// Largest change of diffuse plus specular intensity with an angle, per radian: kd + 0.61 ks sqrt(n), the slope of cos and of cos^n at
+/// their steepest.
 double angular_slope(const Material& material);
 /// Largest error of both light tables by taking an entry for its neighbourhood: half an address step times kd + ks n.
 double light_table_error(const Material& material, int address_bits);

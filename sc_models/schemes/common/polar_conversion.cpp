@@ -84,11 +84,13 @@ Wire in_plane_angle(Netlist& n, const std::string& name, const VectorWires& norm
   const Netlist::Scope scope(n, name);
   const Format component = n.format(normal.x);
   // (x, y) of N, or of the x axis where N is on the z axis: e_phi is (-y, x, 0) and e_theta (z x, z y, -(x^2 + y^2)), both up to a length.
-  const Wire x = n.select("x", polar.on_axis, n.constant("one", component.is_real ? 1 : component.highest(), component), normal.x, component);
+  const Wire x =
+      n.select("x", polar.on_axis, n.constant("one", component.is_real ? 1 : component.highest(), component), normal.x, component);
   const Wire y = n.select("y", polar.on_axis, n.constant("zero", 0, component), normal.y, component);
   Wire east = n.sub("east", n.mul("x_ty", x, tangent.y, product), n.mul("y_tx", y, tangent.x, product), product);
   const Wire radial = n.add("radial", n.mul("x_tx", x, tangent.x, product), n.mul("y_ty", y, tangent.y, product), product);
-  const Wire south = n.sub("south", n.mul("z_radial", radial, normal.z, product), n.mul("axis_tz", polar.axis_squared, tangent.z, product), product);
+  const Wire south =
+      n.sub("south", n.mul("z_radial", radial, normal.z, product), n.mul("axis_tz", polar.axis_squared, tangent.z, product), product);
   if (!normal_is_unit) {
     const Wire squared = n.add("squared", polar.axis_squared, n.mul("zz", normal.z, normal.z, f.square), f.square);
     east = n.mul("east_scaled", east, n.sqrt("length", squared, f.magnitude), product);

@@ -38,7 +38,9 @@ Table quarter_table(const std::string& name, const std::string& formula, const F
 
 }  // namespace
 
-Format sine_format(int word_bits) { return sfixed(word_bits + 1, word_bits); }
+Format sine_format(int word_bits) {
+  return sfixed(word_bits + 1, word_bits);
+}
 
 TablePtr sine_cosine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
   Table table = quarter_table(name, "sin 2 pi x, cos 2 pi x", index, address_bits);

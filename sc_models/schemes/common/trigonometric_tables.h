@@ -1,6 +1,6 @@
 #pragma once
-// Sine and cosine ROMs folded to a quarter turn, the tables every polar scheme reads. The sign of a folded column costs no bit, so a word of w
-// bits gives a value of w + 1 bits with its sign. Source: Lee 2007, section 5.1 (sin & cos LUTs); widths schemes' own.
+// Sine and cosine ROMs folded to a quarter turn, the tables every polar scheme reads. The sign of a folded column costs no bit, so a word
+// of w bits gives a value of w + 1 bits with its sign. Source: Lee 2007, section 5.1 (sin & cos LUTs); widths schemes' own.
 
 #include <string>
 

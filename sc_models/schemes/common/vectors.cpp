@@ -62,12 +62,13 @@ VectorWires sum_of_vectors(Netlist& n, const std::string& name, const VectorWire
 
 VectorWires normalise(Netlist& n, const std::string& name, const VectorWires& v, const NormaliserFormats& f, double shortest) {
   const Netlist::Scope scope(n, name);
-  Wire length = n.sqrt("length", squared_length(n, v, f), f.length);
-  if (shortest > 0) length = n.clamp("divisor", length, shortest, f.length.is_real ? 1e300 : f.length.highest(), f.length);
+  const Wire root = n.sqrt("root", squared_length(n, v, f), f.length);
+  const Wire length = n.clamp("length", root, shortest, f.length.is_real ? 1e300 : f.length.highest(), f.length);
   return {n.div("x", v.x, length, f.quotient), n.div("y", v.y, length, f.quotient), n.div("z", v.z, length, f.quotient)};
 }
 
-VectorWires normalise_by_table(Netlist& n, const std::string& name, const VectorWires& v, const NormaliserFormats& f, int address_bits, int words) {
+VectorWires normalise_by_table(Netlist& n, const std::string& name, const VectorWires& v, const NormaliserFormats& f, int address_bits,
+                               int words) {
   const Netlist::Scope scope(n, name);
   const Wire scale = n.table("RECIPROCAL_ROOT", reciprocal_root_table(f.sum, address_bits, words), squared_length(n, v, f)).front();
   return {n.mul("x", v.x, scale, f.quotient), n.mul("y", v.y, scale, f.quotient), n.mul("z", v.z, scale, f.quotient)};

@@ -13,14 +13,18 @@ namespace {
 /// phi of the map in the frame that the rotation delivers: one adder that the paper omits (and sign logic for mirrored charts).
 Wire turned_azimuth(Netlist& n, Wire phi, const LeeParameters& p) {
   n.begin_addition();
-  if (p.mirror) phi = n.select("phi_unmirrored", n.is_negative("is_mirrored", n.input("mirror", turns(2))), n.negate("phi_mirrored", phi, p.texel_phi()), phi, p.texel_phi());
-  if (p.frame != InPlane::none) phi = n.add("phi_turned", phi, n.input("alpha", p.input_angle()), turns(std::max(p.texel_phi_bits, p.angle_bits)));
+  if (p.mirror)
+    phi = n.select("phi_unmirrored", n.is_negative("is_mirrored", n.input("mirror", turns(2))),
+                   n.negate("phi_mirrored", phi, p.texel_phi()), phi, p.texel_phi());
+  if (p.frame != InPlane::none)
+    phi = n.add("phi_turned", phi, n.input("alpha", p.input_angle()), turns(std::max(p.texel_phi_bits, p.angle_bits)));
   n.end_addition();
   return phi;
 }
 
 /// N'.V by Eq 24 or 25, in [-1, 1].
-Wire law_of_cosines(Netlist& n, Wire phi, Wire theta, Wire map_phi, Wire map_theta, const LeeParameters& p, const IlluminationTables& t, const std::string& equation) {
+Wire law_of_cosines(Netlist& n, Wire phi, Wire theta, Wire map_phi, Wire map_theta, const LeeParameters& p, const IlluminationTables& t,
+                    const std::string& equation) {
   const Format inner = p.inner_angle(), sum = sfixed(p.word_bits + 2, p.word_bits);
   const Wire u = n.table("COS_DIFFERENCE", t.cosine, n.sub("theta_difference", theta, map_theta, inner, equation), equation).front();
   const Wire v = n.table("COS_SUM", t.cosine, n.add("theta_sum", theta, map_theta, inner, equation), equation).front();
@@ -32,7 +36,8 @@ Wire law_of_cosines(Netlist& n, Wire phi, Wire theta, Wire map_phi, Wire map_the
   }
   const Wire c = n.table("COS_PHI", t.cosine, dp, equation).front();
   const Format doubled = sfixed(p.word_bits + 3, p.word_bits);
-  const Wire twice = n.add("twice_dot", n.add("u_plus_v", u, v, sum, equation), n.mul("share", u_less_v, c, sum, equation), doubled, equation);
+  const Wire twice =
+      n.add("twice_dot", n.add("u_plus_v", u, v, sum, equation), n.mul("share", u_less_v, c, sum, equation), doubled, equation);
   return n.shift("dot", twice, -1, sfixed(p.word_bits + 3, p.word_bits + 1), equation);
 }
 

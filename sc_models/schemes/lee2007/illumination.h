@@ -1,9 +1,9 @@
 #pragma once
-// The illumination unit of Lee 2007, section 5.2 and Fig. 9: both dot products by the law of cosines (Eqs 24-25), intensities from light tables.
-// 2 multipliers, 8 tables; 13 adders as section 5.2 writes, or 11 as Table 1 lists, by the identity N'.V = v + (u - v) cos^2((phi_V - phi_N') / 2)
-// with u, v the cosines of difference and sum of the thetas (a reconstruction: the paper does not say where two adders went).
-// In front, beside the published design, the in-plane angle is added to phi of the map. Leaves out ambient light and colour, which all
-// schemes share. Timing: that of the operators recorded.
+// The illumination unit of Lee 2007, section 5.2 and Fig. 9: both dot products by the law of cosines (Eqs 24-25), intensities from light
+// tables. 2 multipliers, 8 tables; 13 adders as section 5.2 writes, or 11 as Table 1 lists, by the identity N'.V = v + (u - v) cos^2((phi_V
+// - phi_N') / 2) with u, v the cosines of difference and sum of the thetas (a reconstruction: the paper does not say where two adders
+// went). In front, beside the published design, the in-plane angle is added to phi of the map. Leaves out ambient light and colour, which
+// all schemes share. Timing: that of the operators recorded.
 
 #include "datapath/netlist.h"
 #include "schemes/lee2007/lee_parameters.h"
@@ -11,8 +11,8 @@
 
 namespace bump::lee2007 {
 
-/// Inputs "L_ref.phi" ... as the environment unit delivers them, "map.phi", "map.theta", and "alpha", "mirror" where the parameters ask for them.
-/// Output "intensity".
+/// Inputs "L_ref.phi" ... as the environment unit delivers them, "map.phi", "map.theta", and "alpha", "mirror" where the parameters ask for
+/// them. Output "intensity".
 Netlist illumination_unit(const LeeParameters& p, const Material& material);
 
 }  // namespace bump::lee2007

@@ -31,13 +31,14 @@ BumpEncoding polar_map(const LeeParameters& p) {
 class Lee2007 : public Scheme {
  public:
   const SchemePage& page() const override {
-    static const SchemePage page{
-        "lee2007", "Angular rotation and law-of-cosines illumination",
-        "Lee et al., An Effective Bump Mapping Hardware Architecture Using Polar Coordinate System, 2007",
-        "reconstruction from the equations, with the sign corrections that they need",
-        "L and H are turned into the reference space by two rotations on polar angles, through tables and 3 multipliers a vector; dot products follow "
-        "from the law of cosines. The rotation is approximate: up to 60 degrees off, 16 on average. The in-plane angle that general meshes need "
-        "is an addition to the paper, one adder."};
+    static const SchemePage page{"lee2007", "Angular rotation and law-of-cosines illumination",
+                                 "Lee et al., An Effective Bump Mapping Hardware Architecture Using Polar Coordinate System, 2007",
+                                 "reconstruction from the equations, with the sign corrections that they need",
+                                 "L and H are turned into the reference space by two rotations on polar angles, through tables and 3 "
+                                 "multipliers a vector; dot products follow "
+                                 "from the law of cosines. The rotation is approximate: up to 60 degrees off, 16 on average. The in-plane "
+                                 "angle that general meshes need "
+                                 "is an addition to the paper, one adder."};
     return page;
   }
 

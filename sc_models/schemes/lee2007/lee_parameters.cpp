@@ -8,9 +8,11 @@
 namespace bump::lee2007 {
 
 void declare_parameters(Parameters& p) {
-  p.choice("lee2007.form", "11", {"11", "13"}, "adders of the illumination unit: 11 as in Table 1 (cosine squared of the half angle), 13 as in section 5.2");
+  p.choice("lee2007.form", "11", {"11", "13"},
+           "adders of the illumination unit: 11 as in Table 1 (cosine squared of the half angle), 13 as in section 5.2");
   p.boolean("lee2007.half_xy", false, "halve X and Y as Eqs 5-6 are printed (an erratum: mean error 48 degrees)");
-  p.choice("lee2007.eq16", "linear", {"linear", "exact"}, "theta': the paper's linear Eq 16, or the spherical formula (1 multiplier less, 4 adders and 3 tables more a vector)");
+  p.choice("lee2007.eq16", "linear", {"linear", "exact"},
+           "theta': the paper's linear Eq 16, or the spherical formula (1 multiplier less, 4 adders and 3 tables more a vector)");
   p.choice("lee2007.x_prime", "paper", {"paper", "exact"}, "x': the paper's sin(theta_x - theta_N), or the exact product form");
   p.boolean("lee2007.abs_fix", true, "take |y| and |Z| in Eqs 16 and 26");
   p.boolean("lee2007.quadrant_fix", true, "fold the arc tangent of Eq 9 over the full turn by the signs of y and sin Z");
@@ -22,9 +24,12 @@ void declare_parameters(Parameters& p) {
   p.integer("lee2007.light_table_bits", 10, 6, 12, "bits", "address bits of the diffuse and specular tables");
   p.integer("lee2007.texel_phi_bits", 8, 4, 12, "bits", "bits of phi in a bump texel, for a full turn");
   p.integer("lee2007.texel_theta_bits", 8, 4, 12, "bits", "bits of theta in a bump texel, for a quarter turn");
-  p.choice("lee2007.map_filter", "nearest", {"nearest", "linear"}, "bump texel: nearest, or filtered as two angles (phi is undefined on flat texels)");
-  p.choice("lee2007.angles", "vertex", {"vertex", "pixel"}, "polar angles: interpolated from the vertices, or formed per pixel from interpolated vectors");
-  p.choice("lee2007.frame", "pixel", {"none", "face", "pixel"}, "angle from e_theta to the tangent, added to phi of the map: none as the paper, one a face, or interpolated");
+  p.choice("lee2007.map_filter", "nearest", {"nearest", "linear"},
+           "bump texel: nearest, or filtered as two angles (phi is undefined on flat texels)");
+  p.choice("lee2007.angles", "vertex", {"vertex", "pixel"},
+           "polar angles: interpolated from the vertices, or formed per pixel from interpolated vectors");
+  p.choice("lee2007.frame", "pixel", {"none", "face", "pixel"},
+           "angle from e_theta to the tangent, added to phi of the map: none as the paper, one a face, or interpolated");
   p.boolean("lee2007.mirror", false, "carry one flag a triangle for mirrored texture charts, and negate phi of the map where it is set");
 }
 
@@ -53,8 +58,9 @@ LeeParameters read_parameters(const Configuration& c) {
 
 double quantisation_floor_db(const LeeParameters& p, const Material& material) {
   constexpr double least = 3;  // what any two images of one scene keep
-  // The paper's own formula jumps where a vector crosses the object's equator (the hemisphere bit changes theta_x to 180 - theta_x although sx is not 1), and the
-  // uncorrected readings jump everywhere: a light on such a line gives two different images for angles that differ by one rounding.
+  // The paper's own formula jumps where a vector crosses the object's equator (the hemisphere bit changes theta_x to 180 - theta_x although
+  // sx is not 1), and the uncorrected readings jump everywhere: a light on such a line gives two different images for angles that differ by
+  // one rounding.
   const bool jumps = p.half_xy || !p.abs_fix || !p.quadrant_fix || (p.hemisphere_bit && !p.exact_x_prime);
   if (jumps) return least;
   const auto step = [](int bits) { return std::ldexp(1.0, -bits); };

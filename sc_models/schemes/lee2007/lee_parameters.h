@@ -1,6 +1,6 @@
 #pragma once
-// What can be chosen about the scheme of Lee et al. 2007: which reading of the paper, and the widths that the paper leaves open. Every default
-// is the reading under which Table 1 closes, with the sign corrections without which the image is wrong. Not hardware itself.
+// What can be chosen about the scheme of Lee et al. 2007: which reading of the paper, and the widths that the paper leaves open. Every
+// default is the reading under which Table 1 closes, with the sign corrections without which the image is wrong. Not hardware itself.
 
 #include "channels/parameters.h"
 #include "datapath/format.h"
@@ -12,23 +12,23 @@ enum class Angles { vertex, pixel };
 enum class InPlane { none, face, pixel };
 
 struct LeeParameters {
-  int form = 11;                ///< adders of the illumination unit: 11 (Table 1) or 13 (section 5.2)
-  bool half_xy = false;         ///< X, Y halved as Eqs 5-6 print them
-  bool exact_eq16 = false;      ///< theta' on the sphere instead of the linear Eq 16
-  bool exact_x_prime = false;   ///< x' from cos theta_A instead of cos theta_x
-  bool abs_fix = true;          ///< |y| and |Z| in Eq 16
-  bool quadrant_fix = true;     ///< arc tangent over the full turn
-  bool hemisphere_bit = true;   ///< theta_x unfolded by the sign of cos theta_A
-  int angle_bits = 10;          ///< a: bits of a turn in the angles that arrive
-  int table_bits = 8;           ///< k: address bits of a quarter turn of sine, cosine and reciprocal
-  int inverse_table_bits = 8;   ///< ki: address bits of arc sine, arc tangent and proportion
-  int word_bits = 16;           ///< w: bits of a table word
-  int light_table_bits = 10;    ///< address bits of the light tables
+  int form = 11;               ///< adders of the illumination unit: 11 (Table 1) or 13 (section 5.2)
+  bool half_xy = false;        ///< X, Y halved as Eqs 5-6 print them
+  bool exact_eq16 = false;     ///< theta' on the sphere instead of the linear Eq 16
+  bool exact_x_prime = false;  ///< x' from cos theta_A instead of cos theta_x
+  bool abs_fix = true;         ///< |y| and |Z| in Eq 16
+  bool quadrant_fix = true;    ///< arc tangent over the full turn
+  bool hemisphere_bit = true;  ///< theta_x unfolded by the sign of cos theta_A
+  int angle_bits = 10;         ///< a: bits of a turn in the angles that arrive
+  int table_bits = 8;          ///< k: address bits of a quarter turn of sine, cosine and reciprocal
+  int inverse_table_bits = 8;  ///< ki: address bits of arc sine, arc tangent and proportion
+  int word_bits = 16;          ///< w: bits of a table word
+  int light_table_bits = 10;   ///< address bits of the light tables
   int texel_phi_bits = 8, texel_theta_bits = 8;
-  bool linear_filter = false;   ///< filter (phi, theta) texels instead of taking the nearest
+  bool linear_filter = false;  ///< filter (phi, theta) texels instead of taking the nearest
   Angles angles = Angles::vertex;
   InPlane frame = InPlane::pixel;
-  bool mirror = false;          ///< one flag a triangle for mirrored texture charts
+  bool mirror = false;  ///< one flag a triangle for mirrored texture charts
 
   Format input_angle() const { return turns(angle_bits); }
   /// Angles inside the datapath: a table word resolves a quarter turn.

@@ -50,10 +50,12 @@ Wire mirror_flag(Netlist& n, const VertexVectors& v) {
   const auto minor = [&](const std::string& name, Wire a, Wire b, Wire c, Wire d) {
     return n.sub(name, n.mul(name + "_1", a, b, real()), n.mul(name + "_2", c, d, real()), real());
   };
-  const VectorWires cross{minor("x", v.normal.y, v.tangent.z, v.normal.z, v.tangent.y), minor("y", v.normal.z, v.tangent.x, v.normal.x, v.tangent.z),
+  const VectorWires cross{minor("x", v.normal.y, v.tangent.z, v.normal.z, v.tangent.y),
+                          minor("y", v.normal.z, v.tangent.x, v.normal.x, v.tangent.z),
                           minor("z", v.normal.x, v.tangent.y, v.normal.y, v.tangent.x)};
   const Wire turn = dot_product(n, "handedness", cross, v.binormal, real(), real());
-  return n.select("flag", n.is_negative("is_mirrored", turn), n.constant("mirrored", -0.25, real()), n.constant("straight", 0.25, real()), real());
+  return n.select("flag", n.is_negative("is_mirrored", turn), n.constant("mirrored", -0.25, real()), n.constant("straight", 0.25, real()),
+                  real());
 }
 
 /// Fixed-point conversion of the interpolated vectors.

@@ -20,11 +20,13 @@ class Rotation {
 
   /// Eqs 5-7 up to the arc sine, and the numerator of Eqs 9 and 27.
   void first_rotation(const Direction& a, const Direction& normal) {
-    const Format in = p.input_angle();
-    const Wire d = n.sub("d", a.phi, normal.phi, in, "Eq 6");
-    const Wire X = p.half_xy ? halved("X", n.add("X_sum", a.theta, d, angle(p.angle_bits + 1, p.angle_bits), "Eq 6")) : n.add("X", a.theta, d, in, "Eq 6");
-    const Wire Y = p.half_xy ? halved("Y", n.sub("Y_difference", a.theta, d, angle(p.angle_bits + 1, p.angle_bits), "Eq 6"))
-                             : n.sub("Y", a.theta, d, in, "Eq 6");
+    // As printed, X and Y are halves: d must then not wrap, or its half would jump by half a turn.
+    const Format sum = p.half_xy ? angle(p.angle_bits + 2, p.angle_bits) : p.input_angle();
+    const Wire d = n.sub("d", a.phi, normal.phi, sum, "Eq 6");
+    const Wire theta_plus_d = n.add(p.half_xy ? "twice_X" : "X", a.theta, d, sum, "Eq 6");
+    const Wire theta_less_d = n.sub(p.half_xy ? "twice_Y" : "Y", a.theta, d, sum, "Eq 6");
+    const Wire X = p.half_xy ? n.shift("X", theta_plus_d, -1, p.input_angle(), "Eq 6") : theta_plus_d;
+    const Wire Y = p.half_xy ? n.shift("Y", theta_less_d, -1, p.input_angle(), "Eq 6") : theta_less_d;
     const std::vector<Wire> of_X = n.table("SC_X", t.sine_cosine, X, "Eqs 7, 9");
     const std::vector<Wire> of_Y = n.table("SC_Y", t.sine_cosine, Y, "Eqs 7, 9");
     sx_ = n.shift("sx", n.add("sine_sum", of_X[0], of_Y[0], sfixed(p.word_bits + 2, p.word_bits), "Eq 7"), -1, half_sum_format(p), "Eq 7");
@@ -37,8 +39,11 @@ class Rotation {
   void angle_in_plane(const Direction& a, const Direction& normal) {
     const Wire principal = widened("theta_x_principal", n.table("ASIN", t.arc_sine, sx_, "Eq 7").front());
     Wire theta_x = principal;
-    if (p.hemisphere_bit) theta_x = n.select("theta_x", n.is_beyond_quarter("below_equator", a.theta), opposite("theta_x", principal), principal, p.inner_angle());
-    else theta_x = n.shift("theta_x", principal, 0, p.inner_angle());
+    if (p.hemisphere_bit)
+      theta_x =
+          n.select("theta_x", n.is_beyond_quarter("below_equator", a.theta), opposite("theta_x", principal), principal, p.inner_angle());
+    else
+      theta_x = n.shift("theta_x", principal, 0, p.inner_angle());
     z_ = n.sub("Z", theta_x, normal.theta, p.inner_angle(), "Eq 8");
   }
 
@@ -47,7 +52,8 @@ class Rotation {
     const Wire cos_a = n.table("COS_A", t.cosine_input, a.theta).front();
     const Format product = half_sum_format(p), sum = sfixed(p.word_bits + 3, p.word_bits + 1);
     const Wire x = n.sub("x_prime", n.mul("sx_cos", sx_, of_normal[1], product), n.mul("cos_sin", cos_a, of_normal[0], product), sum);
-    const Wire principal = widened("Z_principal", n.table("ASIN", t.arc_sine, n.clamp("x_prime_clamped", x, -1, 1, half_sum_format(p)), "Eq 7").front());
+    const Wire principal =
+        widened("Z_principal", n.table("ASIN", t.arc_sine, n.clamp("x_prime_clamped", x, -1, 1, half_sum_format(p)), "Eq 7").front());
     z_ = principal;
     if (!p.hemisphere_bit) return;
     const Wire z = n.add("z_prime", n.mul("sx_sin", sx_, of_normal[0], product), n.mul("cos_cos", cos_a, of_normal[1], product), sum);
@@ -80,10 +86,11 @@ class Rotation {
   }
 
  private:
-  Wire halved(const std::string& name, Wire sum) { return n.shift(name, sum, -1, p.input_angle(), "Eq 6"); }
   Wire widened(const std::string& name, Wire part) { return n.shift(name, part, 0, p.inner_angle()); }
   /// Half a turn less the angle: sign logic.
-  Wire opposite(const std::string& name, Wire x) { return n.half_turn(name + "_opposite", n.negate(name + "_negated", x, p.inner_angle())); }
+  Wire opposite(const std::string& name, Wire x) {
+    return n.half_turn(name + "_opposite", n.negate(name + "_negated", x, p.inner_angle()));
+  }
   Wire quarter(const Format& format) { return n.constant("quarter", 0.25, format); }
   Wire magnitude_of_Z() { return n.absolute("abs_Z", z_, uangle(p.word_bits + 2, p.word_bits + 2)); }
 
@@ -108,7 +115,8 @@ class Rotation {
     const Format fraction = sfixed(p.word_bits + 2, p.word_bits);
     const Wire prop = n.shift("prop_signed", proportion("prop_magnitude"), 0, fraction);
     const Wire by_y = n.select("prop_by_y", y_negative_, n.negate("prop_negative", prop, fraction), prop, fraction);
-    const Wire by_cos = n.select("prop", n.is_beyond_quarter("cos_Z_negative", z_), n.negate("prop_opposite", by_y, fraction), by_y, fraction, "Eq 26");
+    const Wire by_cos =
+        n.select("prop", n.is_beyond_quarter("cos_Z_negative", z_), n.negate("prop_opposite", by_y, fraction), by_y, fraction, "Eq 26");
     const Format wide = angle(p.word_bits + 3, p.word_bits + 2);  // 90 - Z may exceed half a turn
     const Wire rest = n.sub("quarter_less_Z", quarter(wide), z_, wide, "Eq 16");
     return n.add("theta_ref", z_, n.mul("share", rest, by_cos, wide, "Eq 16"), p.inner_angle(), "Eq 16");
@@ -116,11 +124,13 @@ class Rotation {
 
   /// acos(cos Z cos w), w = asin(y_k), as 90 degrees less the arc sine of [cos(|Z| + w) + cos(|Z| - w)] / 2.
   Wire spherical() {
-    const Wire w = arc_of_y_k("w", n.table("ASIN_YK", t.arc_sine_quarter, y_k_index_).front(), 0.25, uangle(p.word_bits + 1, p.word_bits + 2));
+    const Wire w =
+        arc_of_y_k("w", n.table("ASIN_YK", t.arc_sine_quarter, y_k_index_).front(), 0.25, uangle(p.word_bits + 1, p.word_bits + 2));
     const Wire z = magnitude_of_Z();
     const Wire sum = n.table("COS_PLUS", t.cosine_inner, n.add("Z_plus_w", z, w, p.inner_angle())).front();
     const Wire difference = n.table("COS_MINUS", t.cosine_inner, n.sub("Z_minus_w", z, w, p.inner_angle())).front();
-    const Wire cosine = n.shift("cos_theta", n.add("cosine_sum", sum, difference, sfixed(p.word_bits + 2, p.word_bits)), -1, half_sum_format(p));
+    const Wire cosine =
+        n.shift("cos_theta", n.add("cosine_sum", sum, difference, sfixed(p.word_bits + 2, p.word_bits)), -1, half_sum_format(p));
     return n.sub("theta_ref", quarter(p.inner_angle()), n.table("ASIN_COS", t.arc_sine, cosine).front(), p.inner_angle());
   }
 
@@ -134,13 +144,15 @@ Direction input_direction(Netlist& n, const std::string& name, const LeeParamete
   return {n.input(name + ".phi", p.input_angle()), n.input(name + ".theta", p.input_angle())};
 }
 
-Direction rotate(Netlist& n, const std::string& name, const Direction& a, const Direction& normal, const std::vector<Wire>& of_normal, const LeeParameters& p,
-                 const RotationTables& tables) {
+Direction rotate(Netlist& n, const std::string& name, const Direction& a, const Direction& normal, const std::vector<Wire>& of_normal,
+                 const LeeParameters& p, const RotationTables& tables) {
   const Netlist::Scope scope(n, name);
   Rotation rotation(n, p, tables);
   rotation.first_rotation(a, normal);
-  if (p.exact_x_prime) rotation.angle_in_plane_exact(a, of_normal);
-  else rotation.angle_in_plane(a, normal);
+  if (p.exact_x_prime)
+    rotation.angle_in_plane_exact(a, of_normal);
+  else
+    rotation.angle_in_plane(a, normal);
   rotation.reciprocals();
   const Wire phi = rotation.azimuth();
   return {phi, rotation.polar_angle()};

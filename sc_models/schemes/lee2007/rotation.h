@@ -1,9 +1,9 @@
 #pragma once
-// The vector rotation unit of Lee 2007, section 4.1 and Fig. 8: takes L and H from object space to the reference space of N, in polar angles,
-// by two rotations each: -phi_N about z, -theta_N about y. 3 multipliers, 8 adders, 6 tables a vector. Fig. 8 itself is not at hand: the
-// datapath is derived from Eqs 6-18 and 26-27, the operator counts of section 5.1, and the only assignment of tables under which they agree.
-// The rotation is an approximation (mean 16, worst 60 degrees); parameters switch its two mistakes and the sign corrections on and off.
-// Timing: that of the operators recorded; 11 operators on the longest path.
+// The vector rotation unit of Lee 2007, section 4.1 and Fig. 8: takes L and H from object space to the reference space of N, in polar
+// angles, by two rotations each: -phi_N about z, -theta_N about y. 3 multipliers, 8 adders, 6 tables a vector. Fig. 8 itself is not at
+// hand: the datapath is derived from Eqs 6-18 and 26-27, the operator counts of section 5.1, and the only assignment of tables under which
+// they agree. The rotation is an approximation (mean 16, worst 60 degrees); parameters switch its two mistakes and the sign corrections on
+// and off. Timing: that of the operators recorded; 11 operators on the longest path.
 
 #include "datapath/netlist.h"
 #include "schemes/lee2007/lee_parameters.h"

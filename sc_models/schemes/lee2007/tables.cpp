@@ -30,17 +30,24 @@ Column make_column(const char* name, std::function<double(double)> function, con
   return column;
 }
 
-TablePtr share(Table table) { return std::make_shared<const Table>(std::move(table)); }
+TablePtr share(Table table) {
+  return std::make_shared<const Table>(std::move(table));
+}
 
-/// Integer bits of a reciprocal word. Half an address step from the pole it is about 2^k / 1.6, but it is better saturated earlier: large values meet
-/// small |y| only, while the small ones, near 1/2, decide theta' and need the fraction. Six of sixteen bits measured best.
-int reciprocal_integer_bits(const LeeParameters& p) { return std::min(p.table_bits, (p.word_bits - 4) / 2); }
+/// Integer bits of a reciprocal word. Half an address step from the pole it is about 2^k / 1.6, but it is better saturated earlier: large
+/// values meet small |y| only, while the small ones, near 1/2, decide theta' and need the fraction. Six of sixteen bits measured best.
+int reciprocal_integer_bits(const LeeParameters& p) {
+  return std::min(p.table_bits, (p.word_bits - 4) / 2);
+}
 
-double half_over(double x) { return std::min(largest_reciprocal, 0.5 / std::max(std::abs(x), 0.1 / largest_reciprocal)); }
+double half_over(double x) {
+  return std::min(largest_reciprocal, 0.5 / std::max(std::abs(x), 0.1 / largest_reciprocal));
+}
 
 TablePtr arc_sine_table(const LeeParameters& p) {
   Table table = make_table("ASIN", "asin(x) / 2 pi", half_sum_format(p), Folding::magnitude, p.inverse_table_bits);
-  Column column = make_column("angle", [](double x) { return std::asin(std::clamp(x, -1.0, 1.0)) / two_pi; }, arc_format(p));
+  Column column = make_column(
+      "angle", [](double x) { return std::asin(std::clamp(x, -1.0, 1.0)) / two_pi; }, arc_format(p));
   column.symmetry.odd_about_zero = true;
   table.columns = {column};
   return share(table);
@@ -50,30 +57,44 @@ TablePtr arc_sine_table(const LeeParameters& p) {
 TablePtr reciprocal_table(const LeeParameters& p) {
   Table table = make_table("RECIP", "|1 / (2 sin 2 pi x)|, |1 / (2 cos 2 pi x)|", p.inner_angle(), Folding::quarter, p.table_bits);
   const Format word = ufixed(p.word_bits, p.word_bits - reciprocal_integer_bits(p));
-  Column of_cosine = make_column("half_over_cos", [](double x) { return half_over(std::cos(two_pi * x)); }, word);
+  Column of_cosine = make_column(
+      "half_over_cos", [](double x) { return half_over(std::cos(two_pi * x)); }, word);
   of_cosine.mirrors_first = true;
-  table.columns = {make_column("half_over_sin", [](double x) { return half_over(std::sin(two_pi * x)); }, word), of_cosine};
+  table.columns = {make_column(
+                       "half_over_sin", [](double x) { return half_over(std::sin(two_pi * x)); }, word),
+                   of_cosine};
   return share(table);
 }
 
-/// The tangent is unbounded, so its index is a short floating-point code: 16 binades about one. Below them the angle is under a quarter of a degree, above
-/// them within a quarter of a degree of 90.
+/// The tangent is unbounded, so its index is a short floating-point code: 16 binades about one. Below them the angle is under a quarter of
+/// a degree, above them within a quarter of a degree of 90.
 TablePtr arc_tangent_table(const LeeParameters& p) {
   Table table = make_table("ATAN", "atan(x) / 2 pi, x >= 0", tangent_format(p), Folding::floating, p.inverse_table_bits);
   table.exponent_bits = 4;
   table.min_exponent = -8;
-  table.columns = {make_column("angle", [](double x) { return std::atan(x) / two_pi; }, uangle(p.word_bits, p.word_bits + 2))};
+  table.columns = {make_column(
+      "angle", [](double x) { return std::atan(x) / two_pi; }, uangle(p.word_bits, p.word_bits + 2))};
   return share(table);
 }
 
-double arc_sine_of_fraction(double x) { return std::asin(std::clamp(x, 0.0, 1.0)); }
+double arc_sine_of_fraction(double x) {
+  return std::asin(std::clamp(x, 0.0, 1.0));
+}
 
 }  // namespace
 
-Format half_sum_format(const LeeParameters& p) { return sfixed(p.word_bits + 2, p.word_bits + 1); }
-Format arc_format(const LeeParameters& p) { return angle(p.word_bits + 1, p.word_bits + 2); }
-Format tangent_format(const LeeParameters& p) { return ufixed(p.word_bits + reciprocal_integer_bits(p) + 1, p.word_bits); }
-Format proportion_format(const LeeParameters& p) { return ufixed(p.word_bits, p.word_bits); }
+Format half_sum_format(const LeeParameters& p) {
+  return sfixed(p.word_bits + 2, p.word_bits + 1);
+}
+Format arc_format(const LeeParameters& p) {
+  return angle(p.word_bits + 1, p.word_bits + 2);
+}
+Format tangent_format(const LeeParameters& p) {
+  return ufixed(p.word_bits + reciprocal_integer_bits(p) + 1, p.word_bits);
+}
+Format proportion_format(const LeeParameters& p) {
+  return ufixed(p.word_bits, p.word_bits);
+}
 
 RotationTables rotation_tables(const LeeParameters& p) {
   RotationTables t;
@@ -82,11 +103,13 @@ RotationTables rotation_tables(const LeeParameters& p) {
   t.reciprocal = reciprocal_table(p);
   t.arc_tangent = arc_tangent_table(p);
   Table proportion = make_table("T_prop", "asin(x) / 90 deg", proportion_format(p), Folding::none, p.inverse_table_bits);
-  proportion.columns = {make_column("prop", [](double x) { return arc_sine_of_fraction(x) * 4 / two_pi; }, proportion_format(p))};
+  proportion.columns = {make_column(
+      "prop", [](double x) { return arc_sine_of_fraction(x) * 4 / two_pi; }, proportion_format(p))};
   t.proportion = share(proportion);
   t.cosine_input = cosine_table("COS_INPUT", p.input_angle(), p.table_bits, p.word_bits);
   Table quarter = make_table("ASIN_YK", "asin(x) / 2 pi, 0 <= x <= 1", proportion_format(p), Folding::none, p.inverse_table_bits);
-  quarter.columns = {make_column("angle", [](double x) { return arc_sine_of_fraction(x) / two_pi; }, uangle(p.word_bits, p.word_bits + 2))};
+  quarter.columns = {make_column(
+      "angle", [](double x) { return arc_sine_of_fraction(x) / two_pi; }, uangle(p.word_bits, p.word_bits + 2))};
   t.arc_sine_quarter = share(quarter);
   t.cosine_inner = cosine_table("COS", p.inner_angle(), p.table_bits, p.word_bits);
   return t;
@@ -96,7 +119,8 @@ IlluminationTables illumination_tables(const LeeParameters& p) {
   IlluminationTables t;
   t.cosine = cosine_table("COS", p.inner_angle(), p.table_bits, p.word_bits);
   Table squared = make_table("COS2HALF", "cos^2(2 pi x / 2)", p.inner_angle(), Folding::magnitude, p.table_bits);
-  squared.columns = {make_column("value", [](double x) { return 0.5 + 0.5 * std::cos(two_pi * x); }, proportion_format(p))};
+  squared.columns = {make_column(
+      "value", [](double x) { return 0.5 + 0.5 * std::cos(two_pi * x); }, proportion_format(p))};
   t.cosine_half_squared = share(squared);
   return t;
 }

@@ -22,9 +22,11 @@ BumpEncoding vector_map(const PeercyParameters& p) {
 class Peercy1997 : public Scheme {
  public:
   const SchemePage& page() const override {
-    static const SchemePage page{"peercy1997", "Tangent-space normal map", "M. Peercy, J. Airey, B. Cabral, Efficient Bump Mapping Hardware, SIGGRAPH 1997",
+    static const SchemePage page{"peercy1997", "Tangent-space normal map",
+                                 "M. Peercy, J. Airey, B. Cabral, Efficient Bump Mapping Hardware, SIGGRAPH 1997",
                                  "as published (widths, illumination finish: reconstruction)",
-                                 "The map holds N' in tangent space; L and H are taken there by the matrix of T, B, N, per pixel or at the vertices, and interpolated; "
+                                 "The map holds N' in tangent space; L and H are taken there by the matrix of T, B, N, per pixel or at the "
+                                 "vertices, and interpolated; "
                                  "three normalisers and two dot products a pixel. Exact but for interpolation."};
     return page;
   }

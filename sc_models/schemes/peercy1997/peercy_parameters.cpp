@@ -8,8 +8,10 @@
 namespace bump::peercy1997 {
 
 void declare_parameters(Parameters& p) {
-  p.choice("peercy1997.transform", "pixel", {"pixel", "vertex"}, "transform of L and H into tangent space: per pixel as Lee 2007, Table 1, charges it, or at the vertices as published");
-  p.choice("peercy1997.normaliser", "divider", {"divider", "table"}, "normalisers: square root and three dividers, or a table of reciprocal roots and three multipliers");
+  p.choice("peercy1997.transform", "pixel", {"pixel", "vertex"},
+           "transform of L and H into tangent space: per pixel as Lee 2007, Table 1, charges it, or at the vertices as published");
+  p.choice("peercy1997.normaliser", "divider", {"divider", "table"},
+           "normalisers: square root and three dividers, or a table of reciprocal roots and three multipliers");
   p.integer("peercy1997.word_bits", 12, 8, 18, "bits", "bits of a vector component, sign included");
   p.integer("peercy1997.texel_bits", 8, 4, 16, "bits", "bits of a component of the map");
   p.integer("peercy1997.light_table_bits", 10, 6, 12, "bits", "address bits of the power table");

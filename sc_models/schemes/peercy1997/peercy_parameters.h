@@ -1,6 +1,6 @@
 #pragma once
-// What can be chosen about the scheme of Peercy, Airey and Cabral 1997: where the transform into tangent space happens, how vectors are normalised, and
-// the widths, of which the paper gives none. Not hardware itself.
+// What can be chosen about the scheme of Peercy, Airey and Cabral 1997: where the transform into tangent space happens, how vectors are
+// normalised, and the widths, of which the paper gives none. Not hardware itself.
 
 #include "channels/parameters.h"
 #include "datapath/format.h"

@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "datapath/inventory.h"
@@ -25,7 +24,8 @@ void require_counts(const Netlist& netlist, int multipliers, int adders, int div
 TEST_CASE("Peercy 1997 is built of the operators that Table 1 of Lee 2007 charges it") {
   require_counts(designed("peercy1997").environment, 27, 18, 9, 3, 0);
   require_counts(designed("peercy1997", {{"transform", "vertex"}}).environment, 9, 6, 9, 3, 0);
-  for (const char* transform : {"pixel", "vertex"}) require_counts(designed("peercy1997", {{"transform", transform}}).illumination, 7, 5, 0, 0, 1);
+  for (const char* transform : {"pixel", "vertex"})
+    require_counts(designed("peercy1997", {{"transform", transform}}).illumination, 7, 5, 0, 0, 1);
 }
 
 TEST_CASE("a reciprocal root table replaces the dividers of Peercy 1997 by multipliers") {
@@ -74,7 +74,8 @@ TEST_CASE("Peercy 1997 normalises shortened vectors") {
     const double tolerance = arithmetic == Arithmetic::real ? 1e-6 : 0.25;
     for (std::size_t i = 0; i < light.size(); ++i)
       for (const std::string name : {"L_unit", "H_unit", "N_unit"})
-        CHECK(degrees_between(glm::normalize(glm::dvec3(planes[name + ".x"][i], planes[name + ".y"][i], planes[name + ".z"][i])), light[i]) < tolerance);
+        CHECK(degrees_between(glm::normalize(glm::dvec3(planes[name + ".x"][i], planes[name + ".y"][i], planes[name + ".z"][i])),
+                              light[i]) < tolerance);
   }
 }
 

@@ -10,8 +10,12 @@ namespace {
 constexpr int guard_bits = 2;  // of products before they are summed: the floors of three products would bias a component by 1.5 units
 
 /// Unit vectors leave the normalisers with one integer bit, as 1 itself occurs.
-Format unit_format(const PeercyParameters& p) { return sfixed(p.word_bits + 1, p.word_bits - 1); }
-Format product_format(const PeercyParameters& p) { return sfixed(p.word_bits + 1 + guard_bits, p.word_bits - 1 + guard_bits); }
+Format unit_format(const PeercyParameters& p) {
+  return sfixed(p.word_bits + 1, p.word_bits - 1);
+}
+Format product_format(const PeercyParameters& p) {
+  return sfixed(p.word_bits + 1 + guard_bits, p.word_bits - 1 + guard_bits);
+}
 
 struct Frame {
   VectorWires tangent, binormal, normal;
@@ -19,7 +23,8 @@ struct Frame {
 
 /// Eq 7: L times the matrix whose columns are T, B, N. 9 multipliers, 6 adders.
 VectorWires to_tangent_space(Netlist& n, const std::string& name, const VectorWires& v, const Frame& frame, const Format& product) {
-  return {dot_product(n, name + ".x", v, frame.tangent, product, product, "Eq 7"), dot_product(n, name + ".y", v, frame.binormal, product, product, "Eq 7"),
+  return {dot_product(n, name + ".x", v, frame.tangent, product, product, "Eq 7"),
+          dot_product(n, name + ".y", v, frame.binormal, product, product, "Eq 7"),
           dot_product(n, name + ".z", v, frame.normal, product, product, "Eq 7")};
 }
 
@@ -34,7 +39,7 @@ VectorWires normalise_pixel(Netlist& n, const std::string& name, const VectorWir
   f.square = f.sum = ufixed(2 * fraction + 2, 2 * fraction);  // texels may be longer than 1
   f.length = ufixed(fraction + 1, fraction);
   f.quotient = unit_format(p);
-  return p.divider ? normalise(n, name, v, f) : normalise_by_table(n, name, v, f, p.root_table_bits, p.word_bits + 4);
+  return p.divider ? normalise(n, name, v, f, f.length.step()) : normalise_by_table(n, name, v, f, p.root_table_bits, p.word_bits + 4);
 }
 
 }  // namespace

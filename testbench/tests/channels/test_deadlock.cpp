@@ -1,7 +1,7 @@
 // Deadlocks are reported alike by both engines: who waits for whom, and a smallest change that really frees it.
 
 #include <catch2/catch.hpp>
-#include <regex>
+#include <sstream>
 
 #include "run_engines.h"
 #include "small_pipelines.h"
@@ -14,13 +14,14 @@ namespace {
 /// The numbers of a remedy: "depth of fifos.F at least 8", "capacity of S at least 3", joined by "and".
 std::vector<std::pair<std::int64_t*, std::int64_t>> changes_in(const std::string& remedy, TimingGraph& graph) {
   std::vector<std::pair<std::int64_t*, std::int64_t>> changes;
-  static const std::regex change("(depth of fifos\\.|capacity of )(\\w+) at least (\\d+)");
-  for (std::sregex_iterator match(remedy.begin(), remedy.end(), change), end; match != end; ++match) {
-    const std::int64_t value = std::stoll((*match)[3]);
+  std::istringstream words(remedy);
+  std::string kind, of, name, at, least, value, joined;
+  while (words >> kind >> of >> name >> at >> least >> value) {
     for (FifoSpec& fifo : graph.fifos)
-      if ((*match)[1] != "capacity of " && fifo.name == (*match)[2]) changes.push_back({&fifo.depth, value});
+      if (kind == "depth" && "fifos." + fifo.name == name) changes.push_back({&fifo.depth, std::stoll(value)});
     for (StageSpec& stage : graph.stages)
-      if ((*match)[1] == "capacity of " && stage.name == (*match)[2]) changes.push_back({&stage.capacity, value});
+      if (kind == "capacity" && stage.name == name) changes.push_back({&stage.capacity, std::stoll(value)});
+    words >> joined;
   }
   return changes;
 }

@@ -94,6 +94,18 @@ TEST_CASE("a time-shared inner product takes its factors in turn") {
   CHECK(two.multipliers_built == 2);
 }
 
+TEST_CASE("products in need of one multiplier take it in order of depth, not of recording") {
+  Netlist n("unit");
+  const Wire a = n.input("a", sfixed(8, 6)), b = n.input("b", sfixed(8, 6));
+  const Wire deep = n.mul("deep", n.add("offset", n.add("sum", a, b, sfixed(9, 6)), a, sfixed(10, 6)), b, sfixed(12, 6));
+  const Wire shallow = n.mul("shallow", a, b, sfixed(12, 6));
+  n.output("y", n.add("y", deep, shallow, sfixed(13, 6)));
+  const Schedule s = schedule(n, {}, 1);
+  CHECK(s.start[static_cast<std::size_t>(shallow.node)] == 0);
+  CHECK(s.start[static_cast<std::size_t>(deep.node)] ==
+        3);  // ready in cycle 2, when the multiplier belongs to the next token's shallow product
+}
+
 TEST_CASE("operators take the cycles of their kind, wiring and sign logic none") {
   Netlist n("unit");
   const Wire s = n.input("s", sfixed(12, 8)), u = n.input("u", ufixed(12, 8)), t = n.input("t", turns(10));

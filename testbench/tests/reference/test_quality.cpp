@@ -102,6 +102,14 @@ TEST_CASE("frames without a common pixel have no measures") {
   CHECK(std::isnan(quality.max_error));
 }
 
+TEST_CASE("a colour that is not a number never passes for a good picture") {
+  FrameBuffer test = frame(4, 4, 0.5);
+  test.colour[GENERATE(0u, 20u, 47u)] = std::nan("");
+  const Quality quality = compare_frames(test, frame(4, 4, 0.5));
+  CHECK(std::isnan(quality.psnr_db));
+  CHECK(std::isnan(quality.max_error));
+}
+
 TEST_CASE("the error image grows from black over blue, red and yellow to white") {
   const FrameBuffer reference = frame(6, 1, 0);
   FrameBuffer test = reference;

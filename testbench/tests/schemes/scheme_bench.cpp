@@ -15,7 +15,9 @@ void set_vector(Planes& planes, const std::string& name, std::size_t lane, const
   planes[name + ".z"][lane] = v.z;
 }
 
-double decibels(double squared_error, double count) { return -10 * std::log10(std::max(squared_error / count, 1e-30)); }
+double decibels(double squared_error, double count) {
+  return -10 * std::log10(std::max(squared_error / count, 1e-30));
+}
 
 }  // namespace
 
@@ -51,7 +53,9 @@ std::uint64_t Random::word() {
   return z ^ (z >> 31);
 }
 
-double Random::uniform(double low, double high) { return low + (high - low) * static_cast<double>(word() >> 11) * 0x1p-53; }
+double Random::uniform(double low, double high) {
+  return low + (high - low) * static_cast<double>(word() >> 11) * 0x1p-53;
+}
 
 glm::dvec3 Random::direction() {
   const double z = uniform(-1, 1), phi = uniform(0, two_pi), r = std::sqrt(1 - z * z);
@@ -97,7 +101,8 @@ Planes shade(const Design& design, Arithmetic arithmetic, const std::vector<Poin
     design.map.encode(points[i].bump, channels.data());
     for (std::size_t c = 0; c < channels.size(); ++c) {
       const BumpEncoding::Channel& channel = design.map.channels[c];
-      planes["map." + channel.name][i] = arithmetic == Arithmetic::fixed ? to_double(quantise(channels[c], channel.format), channel.format) : channels[c];
+      planes["map." + channel.name][i] =
+          arithmetic == Arithmetic::fixed ? to_double(quantise(channels[c], channel.format), channel.format) : channels[c];
     }
   }
   if (design.conversion) run(*design.conversion, arithmetic, planes, static_cast<int>(lanes));
@@ -124,7 +129,9 @@ Accuracy accuracy(const Design& design, const Material& material, int blocks, co
   return {decibels(fixed_real, count), decibels(real_exact, count), decibels(fixed_exact, count)};
 }
 
-std::array<double, 3> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+std::array<double, 3> components(const glm::dvec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 glm::dvec3 from_polar(double phi, double theta) {
   return {std::sin(two_pi * theta) * std::cos(two_pi * phi), std::sin(two_pi * theta) * std::sin(two_pi * phi), std::cos(two_pi * theta)};

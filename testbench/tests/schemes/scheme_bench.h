@@ -1,12 +1,11 @@
 #pragma once
-// A bench for one scheme without a pipeline: random surface points go through the vertex program, the map encoding and the per-pixel netlists
-// of a Design, in double precision or in fixed point, every point as its own vertex and its own texel. Nothing is interpolated or filtered, so what
-// remains is the scheme's arithmetic.
-
-#include <glm/glm.hpp>
+// A bench for one scheme without a pipeline: random surface points go through the vertex program, the map encoding and the per-pixel
+// netlists of a Design, in double precision or in fixed point, every point as its own vertex and its own texel. Nothing is interpolated or
+// filtered, so what remains is the scheme's arithmetic.
 
 #include <array>
 #include <functional>
+#include <glm/glm.hpp>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -27,11 +26,12 @@ using Settings = std::initializer_list<std::pair<const char*, const char*>>;
 Configuration configured(const Scheme& scheme, Settings settings);
 Design designed(const std::string& id, Settings settings = {}, const Material& material = {});
 
-/// Runs the first `lanes` points through a netlist: inputs by name from `planes`, outputs by name into it. The evaluator is returned to look at nodes; it
-/// refers to the netlist.
+/// Runs the first `lanes` points through a netlist: inputs by name from `planes`, outputs by name into it. The evaluator is returned to
+/// look at nodes; it refers to the netlist.
 std::unique_ptr<Evaluator> run(const Netlist& netlist, Arithmetic arithmetic, Planes& planes, int lanes = block_lanes);
 
-/// One surface point with unit vectors; the frame is right-handed, V and L on the outer side of N, N' tilted from N by at most `tilt` radians.
+/// One surface point with unit vectors; the frame is right-handed, V and L on the outer side of N, N' tilted from N by at most `tilt`
+/// radians.
 struct Point {
   glm::dvec3 normal, tangent, binormal, light, view;
   glm::dvec3 bump;  ///< N' in tangent space
@@ -57,8 +57,8 @@ double exact_intensity(const Point& point, const Material& material);
 Planes shade(const Design& design, Arithmetic arithmetic, const std::vector<Point>& points);
 
 struct Accuracy {
-  double fixed_to_real_db = 0;   ///< intensity, peak 1: fixed point against the scheme's double evaluation
-  double real_to_exact_db = 0;   ///< double evaluation against exact_intensity
+  double fixed_to_real_db = 0;  ///< intensity, peak 1: fixed point against the scheme's double evaluation
+  double real_to_exact_db = 0;  ///< double evaluation against exact_intensity
   double fixed_to_exact_db = 0;
 };
 Accuracy accuracy(const Design& design, const Material& material, int blocks, const std::function<Point(Random&)>& draw);

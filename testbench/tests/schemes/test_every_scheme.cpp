@@ -1,7 +1,8 @@
-// What must hold for every registered scheme, whatever it computes: names connect, structure does not follow the material, datapaths are hardware.
+// What must hold for every registered scheme, whatever it computes: names connect, structure does not follow the material, datapaths are
+// hardware.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -25,18 +26,21 @@ Parameters parameters_of(const Scheme& scheme) {
 
 ParameterValue random_value(const Parameter& parameter, Random& random) {
   switch (parameter.fallback.index()) {
-    case 0: return (random.word() & 1) != 0;
+    case 0:
+      return random.word() % 2 != 0;
     case 1: {
       const auto low = static_cast<std::int64_t>(parameter.low), high = static_cast<std::int64_t>(parameter.high);
       return low + static_cast<std::int64_t>(random.word() % static_cast<std::uint64_t>(high - low + 1));
     }
-    case 2: return random.uniform(parameter.low, parameter.high);
-    default: return parameter.choices[random.word() % parameter.choices.size()];
+    case 2:
+      return random.uniform(parameter.low, parameter.high);
+    default:
+      return parameter.choices[random.word() % parameter.choices.size()];
   }
 }
 
-/// Calls `check` with the default design of every scheme and with designs of random settings; settings that contradict one another are the scheme's to
-/// refuse, as bad input.
+/// Calls `check` with the default design of every scheme and with designs of random settings; settings that contradict one another are the
+/// scheme's to refuse, as bad input.
 template <class Check>
 void for_designs(const Check& check, int random_settings = 12) {
   for (const Scheme* scheme : all_schemes()) {
@@ -82,12 +86,13 @@ std::set<std::string> names_of(const std::vector<Netlist::Port>& ports) {
 std::string structure_of(const Netlist& netlist) {
   std::ostringstream text;
   for (const Node& node : netlist.nodes()) {
-    text << name_of(node.op) << ' ' << node.name << ' ' << to_string(node.format) << ' ' << node.amount << ' ' << node.table << ' ' << node.low << ' ' << node.high << ' '
-         << node.addition;
+    text << name_of(node.op) << ' ' << node.name << ' ' << to_string(node.format) << ' ' << node.amount << ' ' << node.table << ' '
+         << node.low << ' ' << node.high << ' ' << node.addition;
     for (const int operand : node.operands) text << ' ' << operand;
     text << '\n';
   }
-  for (const TablePtr& table : netlist.tables()) text << table->name << ' ' << table->address_bits << ' ' << table->bits() << ' ' << to_string(table->index) << '\n';
+  for (const TablePtr& table : netlist.tables())
+    text << table->name << ' ' << table->address_bits << ' ' << table->bits() << ' ' << to_string(table->index) << '\n';
   for (const Netlist::Port& port : netlist.outputs()) text << port.name << ' ' << port.node << '\n';
   return text.str();
 }
@@ -127,7 +132,8 @@ TEST_CASE("every scheme has a page that names each of its parameters") {
     REQUIRE(file.good());
     std::stringstream page;
     page << file.rdbuf();
-    for (const auto& [key, parameter] : parameters_of(*scheme).all()) {
+    const Parameters parameters = parameters_of(*scheme);
+    for (const auto& [key, parameter] : parameters.all()) {
       CAPTURE(key);
       CHECK(key.compare(0, id.size() + 1, id + ".") == 0);
       CHECK(!parameter.meaning.empty());
@@ -159,7 +165,8 @@ TEST_CASE("every input of a unit is an interpolant, a map channel or the output 
         CAPTURE(unit->name(), port.name);
         CHECK(known.count(port.name) == 1);
         const auto source = delivered.find(port.name);
-        if (source != delivered.end()) CHECK(to_string(source->second) == to_string(unit->nodes()[static_cast<std::size_t>(port.node)].format));
+        if (source != delivered.end())
+          CHECK(to_string(source->second) == to_string(unit->nodes()[static_cast<std::size_t>(port.node)].format));
       }
       for (const Netlist::Port& port : unit->outputs()) {
         known.insert(port.name);
@@ -218,7 +225,8 @@ TEST_CASE("the structure of a scheme does not follow the material") {
   const Material other{0.3, 0.2, 0.9, 77};
   for_designs([&](const Scheme& scheme, const Configuration& configuration, const Design& design) {
     const Design changed = scheme.design(configuration, other);
-    for (std::size_t i = 0; i < pixel_units(design).size(); ++i) CHECK(structure_of(*pixel_units(design)[i]) == structure_of(*pixel_units(changed)[i]));
+    for (std::size_t i = 0; i < pixel_units(design).size(); ++i)
+      CHECK(structure_of(*pixel_units(design)[i]) == structure_of(*pixel_units(changed)[i]));
     CHECK(structure_of(design.vertex) == structure_of(changed.vertex));
     CHECK(design.map.channels.size() == changed.map.channels.size());
   });
@@ -238,24 +246,27 @@ TEST_CASE("map encodings are finite, also for flat, upright and overhanging texe
 }
 
 TEST_CASE("no input gives a result that is not a number") {
-  for_designs([](const Scheme&, const Configuration&, const Design& design) {
-    const std::vector<glm::dvec3> axes{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 0}};
-    std::vector<Point> points;
-    for (const glm::dvec3& normal : axes)
-      for (const glm::dvec3& light : axes)
-        for (const glm::dvec3& view : axes) {
-          const glm::dvec3 tangent = normal.x == 0 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-          points.push_back({normal, tangent, glm::cross(normal, tangent), light, view, {0, 0, 1}});
+  for_designs(
+      [](const Scheme&, const Configuration&, const Design& design) {
+        const std::vector<glm::dvec3> axes{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 0}};
+        std::vector<Point> points;
+        for (const glm::dvec3& normal : axes)
+          for (const glm::dvec3& light : axes)
+            for (const glm::dvec3& view : axes) {
+              const glm::dvec3 tangent = normal.x == 0 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+              points.push_back({normal, tangent, glm::cross(normal, tangent), light, view, {0, 0, 1}});
+            }
+        while (points.size() > block_lanes) {
+          const std::vector<Point> some(points.end() - block_lanes, points.end());
+          points.resize(points.size() - 87);  // 343 points in blocks that overlap
+          for (const Arithmetic arithmetic : {Arithmetic::real, Arithmetic::fixed})
+            for (const auto& [name, plane] : shade(design, arithmetic, some)) {
+              CAPTURE(name);
+              CHECK(std::all_of(plane.begin(), plane.end(), [](double value) { return std::isfinite(value); }));
+            }
         }
-    while (points.size() > block_lanes) {
-      const std::vector<Point> some(points.end() - block_lanes, points.end());
-      points.resize(points.size() - 87);  // 343 points in blocks that overlap
-      for (const Arithmetic arithmetic : {Arithmetic::real, Arithmetic::fixed})
-        for (const auto& [name, plane] : shade(design, arithmetic, some))
-          for (const double value : plane)
-            if (!std::isfinite(value)) FAIL_CHECK(name << " is " << value);
-    }
-  }, 4);
+      },
+      4);
 }
 
 TEST_CASE("fixed point keeps every scheme above the floor that it promises") {
@@ -280,11 +291,13 @@ TEST_CASE("fixed point keeps every scheme above the floor that it promises") {
 }
 
 TEST_CASE("the same settings give the same words") {
-  for_designs([](const Scheme& scheme, const Configuration& configuration, const Design& design) {
-    const Design again = scheme.design(configuration, Material{});
-    Random random(31);
-    std::vector<Point> points;
-    for (int i = 0; i < block_lanes; ++i) points.push_back(random.point());
-    CHECK(shade(design, Arithmetic::fixed, points).at("intensity") == shade(again, Arithmetic::fixed, points).at("intensity"));
-  }, 3);
+  for_designs(
+      [](const Scheme& scheme, const Configuration& configuration, const Design& design) {
+        const Design again = scheme.design(configuration, Material{});
+        Random random(31);
+        std::vector<Point> points;
+        for (int i = 0; i < block_lanes; ++i) points.push_back(random.point());
+        CHECK(shade(design, Arithmetic::fixed, points).at("intensity") == shade(again, Arithmetic::fixed, points).at("intensity"));
+      },
+      3);
 }

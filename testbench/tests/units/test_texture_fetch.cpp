@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "memory/level_of_detail.h"
 #include "samples.h"
 #include "units/bump_map.h"
 #include "units/texture_fetch.h"
@@ -104,7 +105,7 @@ void compare(Filter filter, int footprints_per_cycle) {
           misses += hit ? 0 : 1;
         }
       };
-      const double lod = block->lod[lane] + 5;  // both textures are 32 x 32
+      const double lod = lod_of_access(colours[object], filter, block->lod[lane]);  // both textures are 32 x 32
       access(colours[object], colour_layouts[object], lod);
       access(maps[object], map_layouts[object], lod);
       const TokenRecord& record = block->texture_records[lane];
@@ -141,6 +142,36 @@ TEST_CASE("texels, lines, hits and intervals are those of a replay, bilinear") {
 }
 TEST_CASE("texels, lines, hits and intervals are those of a replay, trilinear") {
   compare(Filter::trilinear, 3);
+}
+
+TEST_CASE("the quick footprint gives the taps and the mean of the general filter, bit for bit") {
+  std::mt19937 random(51);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  for (const auto& [width, height] : {std::pair<int, int>{16, 8}, {7, 12}, {1, 5}}) {
+    for (const WrapMode wrap : {WrapMode::repeat, WrapMode::clamp}) {
+      auto texture = samples::texture(width, height, 3, 9);
+      texture->wrap_u = texture->wrap_v = wrap;
+      texture->kinds[1] = ChannelKind::angle;
+      for (int trial = 0; trial < 2000; ++trial) {
+        // Also points on texel centres and borders, and far outside.
+        double u = 6 * number() - 3, v = 6 * number() - 3;
+        if (trial % 3 == 0) u = std::floor(u * 4 * width) / (4 * width);
+        if (trial % 5 == 0) v *= 1000;
+        BilinearFootprint f;
+        REQUIRE(find_footprint(*texture, texture->levels[0], u, v, f));
+        TexelTap taps[8];
+        REQUIRE(texel_taps(*texture, Filter::bilinear, u, v, 0, taps) == 4);
+        REQUIRE((taps[0].x == f.x0 && taps[1].x == f.x1 && taps[0].y == f.y0 && taps[2].y == f.y1));
+        double expected[3], mean[3];
+        filter_texels(*texture, taps, 4, expected);
+        filter_footprint(*texture, texture->levels[0], f, [&](std::size_t c, double value) { mean[c] = value; });
+        REQUIRE((mean[0] == expected[0] && mean[1] == expected[1] && mean[2] == expected[2]));
+      }
+      BilinearFootprint f;
+      CHECK(!find_footprint(*texture, texture->levels[0], std::nan(""), 0, f));
+      CHECK(!find_footprint(*texture, texture->levels[0], 0, 1e30, f));
+    }
+  }
 }
 
 TEST_CASE("a bump map that must not be filtered is read one texel at a time") {

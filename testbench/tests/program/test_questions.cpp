@@ -1,0 +1,89 @@
+// The commands that only answer: list, describe, check, luts, probe.
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program_runner.h"
+
+using namespace bump;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+TEST_CASE("the program lists the schemes and the shipped scenes") {
+  const TemporaryFolder folder;
+  const Outcome text = bumpsim("list", folder.path());
+  REQUIRE(text.code == 0);
+  for (const char* name : {"lee2007", "peercy1997", "wood_plane", "brick_cube", "world_sphere", "brick_torus", "bunny"}) {
+    INFO(name);
+    CHECK(text.out.find(name) != std::string::npos);
+  }
+  const Json json = Json::parse(bumpsim("list --json", folder.path()).out);
+  CHECK(json["scenes"].size() >= 5);
+}
+
+TEST_CASE("everything can be described, and as JSON") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"", "statistics", "lee2007", "peercy1997", "fifos", "texture_fetch.cache", "fifos.depth"}) {
+    INFO(name);
+    const Outcome text = bumpsim("describe " + name, folder.path());
+    CHECK(text.code == 0);
+    CHECK(text.out.size() > 40);
+    const Outcome json = bumpsim("describe --json " + name, folder.path());
+    CHECK(json.code == 0);
+    CHECK(Json::accept(json.out));
+  }
+}
+
+TEST_CASE("a good scene or configuration checks out") {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", small_scene());
+  folder.write("config.toml", "[fifos]\ndepth = 9\n[texture_fetch.cache]\nways = 2\n");
+  const Json scene = Json::parse(bumpsim("check scene.toml --json", folder.path()).out);
+  CHECK(scene["kind"] == "scene");
+  CHECK(scene["objects"].size() == 2);
+  const Json configuration = Json::parse(bumpsim("check config.toml --json", folder.path()).out);
+  CHECK(configuration["kind"] == "configuration");
+  CHECK(configuration["settings"]["fifos.depth"] == "9");
+  CHECK(configuration["settings"].size() == 2);
+}
+
+TEST_CASE("a probe prints the nodes of the paper's first worked vector") {
+  // Rotation of A = (40, 30) degrees by N = (0, 0): computed by hand from Lee 2007, Eqs 5 to 16.
+  const TemporaryFolder folder;
+  const Outcome probe =
+      bumpsim("probe lee2007 environment N.phi=0 N.theta=0 L.phi=40 L.theta=30 H.phi=40 H.theta=30 --json", folder.path());
+  INFO(probe.err);
+  REQUIRE(probe.code == 0);
+  const Json document = Json::parse(probe.out);
+  const auto value = [&](const std::string& name) {
+    for (const Json& node : document["nodes"])
+      if (node["name"] == name) return node["double"].get<double>();
+    FAIL("no node " << name);
+    return 0.0;
+  };
+  CHECK(value("L.X") == Approx(70.0).margin(0.005));
+  CHECK(value("L.Y") == Approx(-10.0).margin(0.005));
+  CHECK(value("L.theta_x") == Approx(22.521).margin(0.0005));
+  CHECK(value("L.prop") == Approx(0.2262).margin(0.00005));
+}
+
+TEST_CASE("ROM images are written again with the same bytes") {
+  const TemporaryFolder folder;
+  REQUIRE(bumpsim("luts --out a", folder.path()).code == 0);
+  REQUIRE(bumpsim("luts --out b", folder.path()).code == 0);
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(folder.path() / "a")) {
+    CHECK(read_file(entry.path()) == read_file(folder.path() / "b" / entry.path().filename()));
+    ++files;
+  }
+  CHECK(files > 5);
+}
+
+TEST_CASE("help and version are no errors") {
+  const TemporaryFolder folder;
+  for (const char* arguments : {"--help", "run --help", "--version"}) {
+    const Outcome outcome = bumpsim(arguments, folder.path());
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+  }
+}
