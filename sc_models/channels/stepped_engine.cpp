@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 
 #include "channels/deadlock_analysis.h"
 #include "channels/stepped_stage.h"
@@ -70,7 +71,7 @@ struct SteppedEngine::State : public sc_core::sc_module {
   void sample() {
     if (control.asleep()) return;
     if (refilling) {
-      failure = std::make_exception_ptr(Error(ErrorKind::internal, {"the functional plane delivers no records and does not end"}));
+      error = Error(ErrorKind::internal, {"the functional plane delivers no records and does not end"});
       end();
       return;
     }
@@ -84,41 +85,51 @@ struct SteppedEngine::State : public sc_core::sc_module {
       while (!settled()) wait(clock.negedge_event());
     } catch (const sc_core::sc_unwind_exception&) {
       throw;
+    } catch (const Error& thrown) {
+      error = thrown;
     } catch (...) {
       failure = std::current_exception();
     }
     if (!control.done) end();
   }
 
+  /// Nothing will move any more: every token was delivered, or none can be.
   bool settled() {
+    supply([this] { return wants_records(); });
+    if (std::all_of(stages.begin(), stages.end(), [](const auto& each) { return each->empty(); })) return true;
+    stuck = stands_still();
+    if (stuck) supply([] { return true; });  // the remedy must hold for the whole stream
+    return stuck;
+  }
+
+  template <class Wanted>
+  void supply(Wanted wanted) {
     refilling = true;
-    while (!ended && wants_records()) ended = !refill();
+    while (!ended && wanted()) ended = !refill();
     refilling = false;
-    if (std::all_of(stages.begin(), stages.end(), [](const auto& each) { return each->empty(); })) {
-      require_matching_items(graph, untimed());
-      return true;
-    }
-    watch();
-    return false;
   }
 
   bool wants_records() const {
     return std::any_of(stages.begin(), stages.end(), [](const auto& each) { return each->wants_records(); });
   }
 
-  /// Throws the deadlock report when nothing can ever move again.
-  void watch() {
+  /// Looks at the cycle that has just passed.
+  bool stands_still() {
     const bool moved = std::any_of(stages.begin(), stages.end(), [](const auto& each) { return each->moved(); });
     if (moved) last_move = cycles - 1;
     const bool counting = std::any_of(stages.begin(), stages.end(), [](const auto& each) { return each->counting(); }) ||
                           std::any_of(memories.begin(), memories.end(), [](const auto& each) { return !each->idle(); });
     quiet_cycles = moved || counting || cycles == 0 ? 0 : quiet_cycles + 1;
-    if (quiet_cycles < quiet_cycles_of_a_deadlock) return;
-    refilling = true;
-    while (!ended) ended = !refill();  // the remedy must hold for the whole stream
-    refilling = false;
+    return quiet_cycles >= quiet_cycles_of_a_deadlock;
+  }
+
+  /// Whatever went wrong; on the caller's stack, as that of a SystemC thread is small.
+  void throw_if_failed() const {
+    if (error) throw Error(*error);
+    if (failure) std::rethrow_exception(failure);
+    BUMP_ASSERT(control.done);
     require_matching_items(graph, untimed());
-    report_deadlock(analyse_deadlock(graph, untimed(), last_move));
+    if (stuck) report_deadlock(analyse_deadlock(graph, untimed(), last_move));
   }
 
   void end() {
@@ -145,8 +156,9 @@ struct SteppedEngine::State : public sc_core::sc_module {
   Cycle cycles = 0;  ///< edges so far
   Cycle last_move = -1;
   int quiet_cycles = 0;
-  bool refilling = false, ended = false;
-  std::exception_ptr failure;
+  bool refilling = false, ended = false, stuck = false;
+  std::optional<Error> error;
+  std::exception_ptr failure;  ///< of any other type
 };
 
 SteppedEngine::SteppedEngine(sc_core::sc_module_name name, const TimingGraph& graph, sc_core::sc_time period, std::function<bool()> refill,
@@ -178,8 +190,7 @@ void SteppedEngine::trace(const std::string& path) {
 
 TimingResult SteppedEngine::result() const {
   const State& s = *state_;
-  if (s.failure) std::rethrow_exception(s.failure);
-  BUMP_ASSERT(s.control.done);
+  s.throw_if_failed();
   TimingResult result;
   for (const auto& stage : s.stages) result.cycles = std::max(result.cycles, stage->last_delivery() + 1);
   for (const auto& stage : s.stages) result.stages.push_back(stage->statistics());

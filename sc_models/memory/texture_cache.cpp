@@ -34,8 +34,6 @@ TextureCache::TextureCache(const CacheGeometry& geometry) : geometry_(geometry) 
 std::uint64_t TextureCache::line_of(std::uint64_t address) const {
   return address >> line_shift_;
 }
-return address / static_cast<std::uint64_t>(geometry_.line_bytes);
-}
 
 bool TextureCache::access(std::uint64_t address) {
   const std::uint64_t line = line_of(address);

@@ -39,7 +39,9 @@ struct FragmentBlock {
   Lanes u{}, v{}, lod{};       ///< lod: log2 of texels per pixel for a 1 x 1 texture; the texture adds log2 of its own size
 
   std::vector<Lanes> hardware;  ///< planes by index (PlaneMap), as the simulated hardware holds them
-  std::vector<Lanes> exact;     ///< the same in double precision; empty when the arithmetic is double anyway
+  /// The same in double precision; empty when the arithmetic is double anyway. Planes that both share (PipelineContext::shared_planes) are kept
+  /// in `hardware` only: read through PipelineContext::exact_plane().
+  std::vector<Lanes> exact;
 
   // Timing records of the tokens of this block, in token order.
   std::vector<TokenRecord> vertex_records, setup_records;  ///< triangles that entered the pipeline up to this block

@@ -9,7 +9,8 @@
 
 namespace bump {
 
-/// Throws Error(input) with file, line and column. Scene::warnings tells what was mended, Scene::inputs every file that was read.
+/// Throws Error(input) with file, line and column. Scene::warnings tells what was mended, Scene::inputs every file that was read,
+/// named from the scene's folder.
 Scene read_scene(const std::string& path);
 
 }  // namespace bump
