@@ -1,7 +1,8 @@
 #pragma once
-// The clocked timing plane: every stage, FIFO and memory port is a SystemC module evaluated once per clock edge, every decision taken cycle by
-// cycle, nothing runs ahead. Slow, small, obviously right: the oracle for Timeline, the source of waveforms, and the host for RTL.
-// Registers are updated between evaluations (request_update), so the order of processes within a cycle cannot matter.
+// The clocked timing plane: every stage and memory port is a SystemC module, every FIFO a channel, evaluated once per clock edge; every
+// decision is taken cycle by cycle, nothing runs ahead. Slow, small, obviously right: the oracle for Timeline, the source of waveforms,
+// and the host for RTL. Registers are updated between evaluations (request_update), so the order of processes within a cycle cannot
+// matter.
 
 #include <systemc>
 
@@ -15,10 +16,10 @@ namespace bump {
 
 class SteppedEngine : public sc_core::sc_module, public TimingPlane {
  public:
-  /// `refill` is called between clock edges while any stage has no unread record and more may come: it must append records (it may wait on
-  /// SystemC events, zero time) and return false once there are no more, ever. Construct before simulation starts. Cycle 0 is the first rising
-  /// edge, one period after the start of simulation. `on_done` is called once at the end, in place of sc_stop(), so that several engines can share a
-  /// simulation.
+  /// `refill` is called between clock edges while any stage has no unread record and more may come: it must append records (it may wait
+  /// on SystemC events, zero time) and return false once there are no more, ever. Construct before simulation starts. Cycle 0 is the
+  /// first rising edge, one period after the start of simulation. `on_done` is called once at the end, in place of sc_stop(), so that
+  /// several engines can share a simulation.
   SteppedEngine(sc_core::sc_module_name name, const TimingGraph& graph, sc_core::sc_time period, std::function<bool()> refill,
                 std::function<void()> on_done = {});
   ~SteppedEngine() override;

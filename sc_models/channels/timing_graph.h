@@ -36,7 +36,7 @@ struct FifoSpec {
 
 struct MemorySpec {
   std::string name;
-  Cycle tag_latency = 1;      ///< cycles from start to the request
+  Cycle tag_latency = 1;      ///< cycles from start to the request, >= 1
   Cycle latency = 40;         ///< cycles from grant to fill, >= 1
   Cycle cycles_per_line = 4;  ///< bus occupation of a line, >= 1
   int outstanding = 4;        ///< misses in flight, >= 1
