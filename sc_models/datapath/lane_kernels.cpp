@@ -218,7 +218,9 @@ BUMP_LANE_LOOP void is_negative(ConstWords a, Words out, int lanes) {
 BUMP_LANE_LOOP void is_beyond_quarter(ConstWords a, int width, Words out, int lanes) {
   for (int i = 0; i < lanes; ++i) {
     const auto word = static_cast<std::uint64_t>(a[i]);
-    out[i] = static_cast<std::int64_t>(((word >> (width - 1)) ^ (word >> (width - 2))) & 1);
+    const std::uint64_t differ = ((word >> (width - 1)) ^ (word >> (width - 2))) & 1;
+    const std::uint64_t exactly = a[i] == std::int64_t{1} << (width - 2) ? 1 : 0;
+    out[i] = static_cast<std::int64_t>(differ & ~exactly);
   }
 }
 

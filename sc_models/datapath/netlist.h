@@ -18,7 +18,8 @@
 //   clamp       saturates to constant bounds [low, high]
 //   select      first operand is a flag: second if set, else third
 //   is_negative sign bit as a flag
-//   is_beyond_quarter  flag: a full-turn angle lies in [1/4, 1/2) or [-1/2, -1/4): exclusive or of its two top bits
+//   is_beyond_quarter  flag: the cosine of a full-turn angle is negative: it lies in (1/4, 1/2) or [-1/2, -1/4). Exclusive or of its two
+//               top bits, unless the word is exactly a quarter turn
 // Multipliers, adders (a subtractor is an adder), dividers, square roots and tables are what Table 1 of Lee 2007 lists; everything else
 // is listed apart.
 

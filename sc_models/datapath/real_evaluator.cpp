@@ -105,7 +105,7 @@ class RealEvaluator : public Evaluator {
       case Op::is_negative:
         return each(lanes, out, [&](std::size_t i) { return a[i] < 0.0 ? 1.0 : 0.0; });
       case Op::is_beyond_quarter:
-        return each(lanes, out, [&](std::size_t i) { return a[i] >= 0.25 || a[i] < -0.25 ? 1.0 : 0.0; });
+        return each(lanes, out, [&](std::size_t i) { return a[i] > 0.25 || a[i] < -0.25 ? 1.0 : 0.0; });
       case Op::input:
       case Op::constant:
         return;

@@ -1,7 +1,8 @@
 #pragma once
-// The level of detail that the texture unit derives from a fragment's texture-coordinate derivatives. One definition for the simulated
-// hardware and the reference renderer. Isotropic: the larger of the two footprint axes decides. It takes part of the texture stage's
-// latency. Source: OpenGL specification, the scale factor rho.
+// The level of detail that the texture unit of the simulated hardware derives from a fragment's texture-coordinate derivatives, for each
+// texture of its own, since it depends on the texture's size. Isotropic: the longer of the two axes of the pixel's footprint decides. It
+// takes part of the texture stage's latency. The reference renderer has a formula of its own. Source: OpenGL specification, the scale
+// factor rho = max(|(du/dx W, dv/dx H)|, |(du/dy W, dv/dy H)|).
 
 #include <algorithm>
 #include <cmath>
@@ -10,24 +11,29 @@
 
 namespace bump {
 
-/// Level of detail of a fragment on whom nothing changes from pixel to pixel: finer than any texture.
+/// Level of detail of a fragment on which nothing changes from pixel to pixel: finer than any texture.
 constexpr double finest_level_of_detail = -64;
 
-/// log2 of the larger change of (u, v) over one pixel to the right (dudx, dvdx) and one pixel down (dudy, dvdy), in units of the whole
-/// texture: the `lod` that a fragment carries, log2 of texels per pixel for a 1 x 1 texture.
-/// Never below finest_level_of_detail; NaN never.
-inline double level_of_detail(double dudx, double dvdx, double dudy, double dvdy) {
-  const double across = dudx * dudx + dvdx * dvdx, down = dudy * dudy + dvdy * dvdy;
+/// How (u, v) changes over one pixel to the right (x) and one pixel down (y), in units of the whole texture.
+struct TextureDerivatives {
+  double dudx = 0, dvdx = 0, dudy = 0, dvdy = 0;
+};
+
+/// log2 rho, rho in texels of level 0 per pixel, for a texture of width x height texels. Never below finest_level_of_detail, also where
+/// derivatives are not numbers.
+inline double level_of_detail(const TextureDerivatives& d, int width, int height) {
+  const double w = width, h = height;
+  const double across = (d.dudx * w) * (d.dudx * w) + (d.dvdx * h) * (d.dvdx * h);
+  const double down = (d.dudy * w) * (d.dudy * w) + (d.dvdy * h) * (d.dvdy * h);
   const double squared = std::max(across, down);
   if (!(squared > 0)) return finest_level_of_detail;
   return std::max(0.5 * std::log2(squared), finest_level_of_detail);
 }
 
-/// What the texture unit hands to texel_taps() for a fragment's `lod`: log2 of texels per pixel of level 0 of this texture. Only the
-/// trilinear filter reads coarser levels; nearest and bilinear stay on level 0.
-inline double lod_of_access(const Texture& texture, Filter filter, double lod) {
+/// What the texture unit hands to texel_taps(). Only the trilinear filter reads coarser levels; nearest and bilinear stay on level 0.
+inline double lod_of_access(const Texture& texture, Filter filter, const TextureDerivatives& derivatives) {
   if (filter != Filter::trilinear) return 0;
-  return lod + std::log2(static_cast<double>(std::max(texture.levels[0].width, texture.levels[0].height)));
+  return level_of_detail(derivatives, texture.levels[0].width, texture.levels[0].height);
 }
 
 }  // namespace bump

@@ -43,7 +43,7 @@ struct BumpEncoding {
     Format format{};                             ///< of the stored texel
     ChannelKind kind = ChannelKind::linear;
   };
-  std::vector<Channel> channels;
+  std::vector<Channel> channels;  ///< none: the scheme reads no bump map, and nothing is fetched
   std::function<void(const glm::dvec3& normal, double* channels)> encode;  ///< from a unit tangent-space normal
   bool filterable = true;  ///< false: nearest texel whatever the configured filter (polar maps: phi is undefined on flat texels)
   std::string note;        ///< why, one line
@@ -67,7 +67,12 @@ struct Design {
   Netlist illumination{"illumination"};
   BumpEncoding map;
   std::vector<DeliveredDirection> directions;
-  double quantisation_floor_db = 0;  ///< fixed point against the scheme's own double evaluation: a run below it fails its self-check
+  /// PSNR of fixed point against the scheme's own double evaluation that these widths guarantee, for one light of intensity 1 and a white texel: a
+  /// run whose picture is worse fails its self-check. Pixels at a jump of the formula are left out.
+  double quantisation_floor_db = 0;
+  /// Flags of the environment netlist, by node name, at which the formula itself jumps: where fixed point and double decide them
+  /// differently, an arbitrarily small rounding makes an arbitrarily large error.
+  std::vector<std::string> jumps;
 };
 
 /// Where a scheme comes from, for `list`, `describe` and the reports.

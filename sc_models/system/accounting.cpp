@@ -1,6 +1,7 @@
 #include "system/accounting.h"
 
 #include <algorithm>
+#include <set>
 
 namespace bump {
 
@@ -10,13 +11,20 @@ UnitCost unit_cost(const std::string& name, const Netlist& netlist, const Schedu
   cost.published = count(netlist, Portion::published);
   cost.addition = count(netlist, Portion::addition);
   cost.executions = executions;
-  cost.multipliers_built = cost.published.multipliers + cost.addition.multipliers;
-  if (schedule != nullptr) {
-    cost.latency = schedule->latency;
-    cost.initiation_interval = schedule->initiation_interval;
-    cost.multipliers_built = schedule->multipliers_built;
-  }
+  if (schedule != nullptr) cost.pipeline = {schedule->latency, schedule->initiation_interval, schedule->multipliers_built};
   return cost;
+}
+
+void keep_tables_per_material(UnitCost& cost, const Netlist& netlist, int materials) {
+  std::set<std::string> seen;
+  for (const Node& node : netlist.nodes()) {
+    if (node.op != Op::table) continue;
+    const Table& table = *netlist.tables()[static_cast<std::size_t>(node.table)];
+    if (!table.per_material) continue;
+    Inventory& portion = node.addition ? cost.addition : cost.published;
+    portion.table_bits += table.bits() * (materials - 1);
+    if (seen.insert(table.name).second) portion.distinct_table_bits += table.bits() * (materials - 1);
+  }
 }
 
 std::vector<TableUse> table_uses(const std::string& unit, const Netlist& netlist, std::int64_t executions, int materials) {

@@ -12,6 +12,9 @@ namespace bump {
 /// A per-pixel netlist with its schedule (null for programs on ALUs and interpolators).
 UnitCost unit_cost(const std::string& name, const Netlist& netlist, const Schedule* schedule, std::int64_t executions);
 
+/// Adds the bits of the further copies that tables with contents by material need.
+void keep_tables_per_material(UnitCost& cost, const Netlist& netlist, int materials);
+
 /// One row for each distinct table of the netlist, published and additional reads apart. `materials`: sets of contents kept for tables that follow
 /// the material.
 std::vector<TableUse> table_uses(const std::string& unit, const Netlist& netlist, std::int64_t executions, int materials);

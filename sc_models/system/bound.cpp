@@ -1,10 +1,8 @@
 #include "system/bound.h"
 
-#include <algorithm>
-
 namespace bump {
 
-Bound lower_bound(const TimingGraph& graph, const TimingResult& result) {
+Bound lower_bound(const TimingGraph& graph, const TimingResult& result, const std::vector<Cycle>& last_interval) {
   Bound bound;
   const auto offer = [&](double busy, const std::string& by) {
     if (busy > bound.cycles) bound = {busy, by};
@@ -12,7 +10,7 @@ Bound lower_bound(const TimingGraph& graph, const TimingResult& result) {
   for (std::size_t i = 0; i < graph.stages.size(); ++i) {
     const StageSpec& spec = graph.stages[i];
     const StageStatistics& seen = result.stages[i];
-    offer(static_cast<double>(std::min(seen.busy, result.cycles)), spec.name + ": initiation interval");
+    if (seen.tokens > 0) offer(static_cast<double>(seen.busy - last_interval[i] + spec.latency + 1), spec.name + ": initiation interval");
     offer(static_cast<double>(seen.tokens) * static_cast<double>(spec.latency + 1) / static_cast<double>(spec.capacity),
           spec.name + ": capacity in flight");
   }

@@ -1,6 +1,6 @@
 #pragma once
 // The closed-form lower bound on the cycles of a run, and what binds. Every resource alone needs at least
-//   stage              the sum of its initiation intervals (of which the last may end behind the last delivery: never more than the run)
+//   stage              the sum of its initiation intervals but the last, and the latency behind the last start
 //   capacity           tokens (L + 1) / C: room in flight is given back no sooner than L + 1 cycles after it was taken
 //   FIFO               2 items / D: a slot takes two cycles to be filled and freed again
 //   memory bandwidth   (requests - 1) x cycles per line + latency
@@ -12,6 +12,7 @@
 
 namespace bump {
 
-Bound lower_bound(const TimingGraph& graph, const TimingResult& result);
+/// `last_interval`: initiation interval of the last token of each stage, 0 without tokens.
+Bound lower_bound(const TimingGraph& graph, const TimingResult& result, const std::vector<Cycle>& last_interval);
 
 }  // namespace bump

@@ -3,8 +3,8 @@
 namespace bump {
 
 DatedEngine::DatedEngine(const sc_core::sc_module_name& name, Failure& failure, const PipelineTiming& timing,
-                         BlockFifo<TimingRecords>& in_records, sc_core::sc_time period)
-    : UnitModule(name, failure), timing_(timing), in_records_(in_records), period_(period), timeline_(timing.graph) {}
+                         BlockFifo<TimingRecords>& in_records, sc_core::sc_time period, std::vector<Cycle>& last_interval)
+    : UnitModule(name, failure), timing_(timing), in_records_(in_records), period_(period), last_interval_(last_interval), timeline_(timing.graph) {}
 
 void DatedEngine::follow(Cycle date) {
   const sc_core::sc_time then = period_ * static_cast<double>(date);
@@ -13,7 +13,7 @@ void DatedEngine::follow(Cycle date) {
 
 void DatedEngine::work() {
   while (const auto records = in_records_.read()) {
-    feed(timeline_, *records, timing_);
+    feed(timeline_, *records, timing_, last_interval_);
     timeline_.advance();
     follow(timeline_.latest());
   }

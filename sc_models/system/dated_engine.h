@@ -13,8 +13,9 @@ namespace bump {
 
 class DatedEngine : public UnitModule {
  public:
+  /// `last_interval` receives the initiation interval of the last token of each stage.
   DatedEngine(const sc_core::sc_module_name& name, Failure& failure, const PipelineTiming& timing, BlockFifo<TimingRecords>& in_records,
-              sc_core::sc_time period);
+              sc_core::sc_time period, std::vector<Cycle>& last_interval);
 
   /// After the simulation.
   const TimingResult& result() const { return result_; }
@@ -26,6 +27,7 @@ class DatedEngine : public UnitModule {
   const PipelineTiming& timing_;
   BlockFifo<TimingRecords>& in_records_;
   sc_core::sc_time period_;
+  std::vector<Cycle>& last_interval_;
   Timeline timeline_;
   TimingResult result_;
 };

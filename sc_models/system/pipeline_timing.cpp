@@ -65,7 +65,8 @@ PipelineTiming make_pipeline_timing(const DatapathSchedules& s, int lights, cons
   timing.schedules = s;
   timing.interval.fill(1);
   const auto serial_interval = [&](const Schedule& one) { return static_cast<std::uint32_t>(lights * one.initiation_interval); };
-  timing.interval[stage::interpolators] = serial_interval(s.conversion);
+  const bool converts = !s.conversion.start.empty();
+  if (converts) timing.interval[stage::interpolators] = serial_interval(s.conversion);
   timing.interval[stage::environment] = serial_interval(s.environment);
   timing.interval[stage::illumination] = std::max(serial_interval(s.illumination), static_cast<std::uint32_t>(s.colour.initiation_interval));
 
@@ -73,7 +74,7 @@ PipelineTiming make_pipeline_timing(const DatapathSchedules& s, int lights, cons
   latency[stage::vertex_processor] = c.integer("vertex_processor.latency");
   latency[stage::triangle_setup] = c.integer("triangle_setup.latency");
   latency[stage::rasterizer] = c.integer("rasterizer.latency");
-  latency[stage::interpolators] = c.integer("interpolators.latency") + serial_latency(s.conversion, lights);
+  latency[stage::interpolators] = c.integer("interpolators.latency") + (converts ? serial_latency(s.conversion, lights) : 0);
   latency[stage::texture_fetch] = c.integer("texture_fetch.latency");
   latency[stage::environment] = serial_latency(s.environment, lights);
   latency[stage::illumination] = serial_latency(s.illumination, lights) + s.colour.latency;

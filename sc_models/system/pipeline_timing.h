@@ -30,7 +30,7 @@ const char* stage_name(int index);
 
 /// Schedules of the per-pixel netlists, one execution each.
 struct DatapathSchedules {
-  Schedule conversion;  ///< latency 0 and interval 1 when the design has none
+  Schedule conversion;  ///< without nodes when the design has none
   Schedule environment;
   Schedule illumination;
   Schedule colour;

@@ -16,15 +16,20 @@ void require(bool holds, const std::string& what) { require_equal(holds ? 1 : 0,
 
 }  // namespace
 
-void check_conservation(const SimulationResult& r, const TimingGraph& graph) {
+void check_conservation(const SimulationResult& r, const TimingGraph& graph, const std::vector<Cycle>& last_interval) {
   const GeometryCounters& g = r.geometry;
   const TimingResult& t = r.timing;
+  require_equal(g.triangles, g.triangles_culled + g.triangles_empty + g.triangles_hidden + g.triangles_drawn, "triangles = culled + empty + hidden + drawn");
   require_equal(g.fragments_generated, g.fragments_hidden + g.fragments, "covered positions = hidden + shaded");
   require_equal(g.fragments, g.fragments_retired, "fragments shaded = fragments retired");
   require_equal(t.stages[stage::vertex_processor].tokens, g.triangles, "triangle tokens = triangles that entered");
   require_equal(t.stages[stage::triangle_setup].tokens, g.triangles, "triangles set up = triangles that entered");
   for (int i = stage::interpolators; i < stage::count; ++i)
     require_equal(t.stages[static_cast<std::size_t>(i)].tokens, g.fragments, std::string("tokens of ") + stage_name(i) + " = fragments");
+  for (std::size_t i = 0; i < t.stages.size(); ++i) {
+    const StageStatistics& s = t.stages[i];
+    require(s.busy - last_interval[i] + s.starved + s.blocked_room <= t.cycles, "cycles of " + s.name + " fit into the run");
+  }
   for (std::size_t i = 0; i < t.fifos.size(); ++i) {
     const FifoStatistics& fifo = t.fifos[i];
     require_equal(fifo.items, graph.fifos[i].to <= stage::rasterizer ? g.triangles : g.fragments, "items through " + fifo.name);

@@ -2,9 +2,12 @@
 
 #include <systemc>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "channels/stepped_engine.h"
+#include "datapath/vertex_program.h"
 #include "system/accounting.h"
 #include "system/bound.h"
 #include "system/dated_engine.h"
@@ -52,12 +55,12 @@ class TimedRun {
  public:
   TimedRun(Pipeline& pipeline, const PipelineTiming& timing, const SimulationOptions& options, sc_core::sc_time period) : pipeline_(pipeline) {
     if (options.engine == Engine::dated) {
-      dated_.emplace("dated_engine", pipeline.failure(), timing, pipeline.out_records(), period);
+      dated_.emplace("dated_engine", pipeline.failure(), timing, pipeline.out_records(), period, last_interval_);
       return;
     }
     stepped_.emplace("stepped_engine", timing.graph, period, [this, &timing] {
       const auto records = pipeline_.out_records().read();
-      if (records) feed(*stepped_, *records, timing);
+      if (records) feed(*stepped_, *records, timing, last_interval_);
       return records != nullptr;
     });
     if (!options.trace.empty()) stepped_->trace(options.trace);
@@ -68,11 +71,25 @@ class TimedRun {
     return dated_ ? dated_->result() : stepped_->result();
   }
 
+  /// Initiation interval of the last token of each stage.
+  const std::vector<Cycle>& last_interval() const { return last_interval_; }
+
  private:
   Pipeline& pipeline_;
+  std::vector<Cycle> last_interval_ = std::vector<Cycle>(stage::count, 0);
   std::optional<DatedEngine> dated_;
   std::optional<SteppedEngine> stepped_;
 };
+
+/// What the designs state for their widths, one light of intensity 1 each, put together for the scene: errors of several lights add up at worst,
+/// the colour unit rounds each of its sums and products once, and the material that is worst decides.
+double stated_floor_db(const PipelineContext& context, int colour_bits) {
+  double intensity = 0, worst = 0;
+  for (const Light& light : context.scene->lights) intensity += std::fabs(light.intensity);
+  for (const Design& design : context.designs) worst = std::max(worst, intensity * std::pow(10, -design.quantisation_floor_db / 20));
+  const double rounding = (2.0 * context.lights + 3) * std::ldexp(1.0, -colour_bits);
+  return -20 * std::log10(worst + rounding);
+}
 
 GeometryCounters geometry_of(const Pipeline& pipeline) {
   GeometryCounters all = pipeline.vertex_processor().counters();
@@ -81,6 +98,8 @@ GeometryCounters geometry_of(const Pipeline& pipeline) {
   all.triangles_clipped = setup.triangles_clipped;
   all.triangles_culled = setup.triangles_culled;
   all.triangles_empty = setup.triangles_empty + raster.triangles_empty;
+  all.triangles_hidden = raster.triangles_hidden;
+  all.triangles_drawn = raster.triangles_drawn;
   all.fragments_generated = raster.fragments_generated;
   all.fragments_hidden = raster.fragments_hidden;
   all.fragments = raster.fragments;
@@ -93,6 +112,7 @@ void account(const Pipeline& pipeline, const PipelineContext& context, const Dat
   const int materials = static_cast<int>(context.designs.size());
   const auto unit = [&](const std::string& name, const Netlist& netlist, const Schedule* schedule, std::int64_t executions) {
     result.units.push_back(unit_cost(name, netlist, schedule, executions));
+    keep_tables_per_material(result.units.back(), netlist, materials);
     for (TableUse& use : table_uses(name, netlist, executions, materials)) result.tables.push_back(std::move(use));
   };
   unit("environment", design.environment, &schedules.environment, pipeline.environment().executions());
@@ -100,7 +120,11 @@ void account(const Pipeline& pipeline, const PipelineContext& context, const Dat
   if (design.conversion) unit("conversion", *design.conversion, &schedules.conversion, pipeline.interpolators().conversions());
   unit("colour", pipeline.colour().netlist(), &schedules.colour, pipeline.colour().executions());
   result.units.push_back(unit_cost("interpolators", interpolator_netlist(context), nullptr, result.geometry.fragments));
-  result.units.push_back(unit_cost("vertex", design.vertex, nullptr, result.geometry.vertices));
+  UnitCost vertex = unit_cost("vertex", design.vertex, nullptr, result.geometry.vertices);
+  vertex.per_light = count_nodes(design.vertex, depends_on(design.vertex, {"L."}));
+  vertex.lights = context.lights;
+  result.units.push_back(std::move(vertex));
+  result.units.push_back(unit_cost("vertex_transform", pipeline.vertex_processor().transform(), nullptr, result.geometry.vertices));
 }
 
 }  // namespace
@@ -122,7 +146,8 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   Designs designs = make_designs(scene, scheme, configuration);
   ContextOptions context_options;
   context_options.arithmetic = configuration.choice("numeric") == "fixed" ? Arithmetic::fixed : Arithmetic::real;
-  context_options.probe_directions = true;
+  context_options.keep_exact = options.measure;
+  context_options.probe_directions = options.measure;
   const auto context = make_context(scene, std::move(designs.designs), std::move(designs.of_object), context_options);
 
   const std::int64_t triangles = context->triangles();
@@ -142,16 +167,17 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   result.geometry = geometry_of(pipeline);
   result.fragments = result.geometry.fragments;
   result.texture = pipeline.texture_fetch().counters();
-  result.bound = lower_bound(timing.graph, result.timing);
+  result.bound = lower_bound(timing.graph, result.timing, run.last_interval());
   result.hardware = pipeline.frame_sink().hardware();
-  result.exact = pipeline.frame_sink().exact();
+  if (options.measure) result.exact = pipeline.frame_sink().exact();
   result.angular_errors = pipeline.environment().meter().hardware();
   result.angular_errors_exact = pipeline.environment().meter().exact();
   result.interpolator_components = interpolator_components(*context);
-  result.quantisation_floor_db = context->designs.front().quantisation_floor_db;
+  result.quantisation_floor_db = stated_floor_db(*context, static_cast<int>(configuration.integer("colour_unit.bits")));
+  result.diverged = pipeline.frame_sink().diverged();
   result.clock_megahertz = megahertz;
   account(pipeline, *context, schedules, result);
-  check_conservation(result, timing.graph);
+  check_conservation(result, timing.graph, run.last_interval());
   return result;
 }
 

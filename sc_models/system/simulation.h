@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ enum class Engine { dated, stepped };
 
 struct SimulationOptions {
   Engine engine = Engine::dated;
+  /// Evaluate the datapaths in double precision beside the fixed point, and measure the directions that the environment unit delivers. Without, a
+  /// run is faster and has no exact frame, no angular errors and no diverged pixels.
+  bool measure = true;
   std::string trace;  ///< path of a VCD, stepped engine only; empty for none
   /// Called now and then with the share of triangles done, 0 to 1.
   std::function<void(double)> progress;
@@ -31,13 +35,19 @@ struct SimulationOptions {
 
 /// Cost of one netlist of the pipeline.
 struct UnitCost {
-  std::string name;        ///< "environment", "illumination", "vertex", "conversion", "interpolators", "colour"
-  Inventory published;     ///< what the paper's table lists
-  Inventory addition;      ///< what the design needs beside it
-  int latency = 0;         ///< cycles, from the schedule
-  int initiation_interval = 1;
-  int multipliers_built = 0;       ///< after sharing
-  std::int64_t executions = 0;     ///< times the whole netlist was executed (tokens x lights)
+  std::string name;     ///< "environment", "illumination", "conversion", "colour", "interpolators", "vertex", "vertex_transform"
+  Inventory published;  ///< what the paper's table lists
+  Inventory addition;   ///< what the design needs beside it
+  std::int64_t executions = 0;  ///< times the netlist was executed: fragments times lights, fragments, or vertices
+  Inventory per_light;          ///< of a vertex program: the part that an execution repeats for every further light
+  int lights = 1;               ///< times that part is executed in one execution
+  /// Of a netlist that is a pipeline; a vertex program runs on arithmetic units instead, and the interpolators' latency is configured.
+  struct Pipeline {
+    int latency = 0;              ///< cycles, from the schedule
+    int initiation_interval = 1;  ///< cycles
+    int multipliers = 0;          ///< in hardware, after sharing
+  };
+  std::optional<Pipeline> pipeline;
 };
 
 struct TableUse {
@@ -63,11 +73,12 @@ struct SimulationResult {
   TextureCounters texture;
   GeometryCounters geometry;
   FrameBuffer hardware;        ///< what the simulated hardware drew
-  FrameBuffer exact;           ///< the same with the scheme's double evaluation (a copy when the arithmetic is double)
+  FrameBuffer exact;           ///< the same with the scheme's double evaluation (a copy when the arithmetic is double); empty if not measured
   std::vector<AngularError> angular_errors;            ///< of the hardware's vectors
   std::vector<AngularError> angular_errors_exact;      ///< of the scheme's double evaluation
   int interpolator_components = 0;                     ///< besides u, v
-  double quantisation_floor_db = 0;
+  double quantisation_floor_db = 0;      ///< PSNR that the scheme states for its widths, for this scene's lights and materials
+  std::vector<std::uint8_t> diverged;    ///< per pixel, 1 where the two evaluations stand on different sides of a jump of the formula
   double clock_megahertz = 100;
 };
 

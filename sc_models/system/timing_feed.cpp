@@ -4,8 +4,10 @@ namespace bump {
 
 namespace {
 
-void append_all(TimingPlane& plane, int index, const std::vector<TokenRecord>& records) {
-  if (!records.empty()) plane.append(index, records.data(), records.size());
+void append_all(TimingPlane& plane, int index, const std::vector<TokenRecord>& records, std::vector<Cycle>& last_interval) {
+  if (records.empty()) return;
+  plane.append(index, records.data(), records.size());
+  last_interval[static_cast<std::size_t>(index)] = records.back().interval;
 }
 
 }  // namespace
@@ -20,16 +22,17 @@ std::unique_ptr<TimingRecords> records_of(const FragmentBlock& block) {
   return records;
 }
 
-void feed(TimingPlane& plane, const TimingRecords& records, const PipelineTiming& timing) {
-  append_all(plane, stage::vertex_processor, records.vertex);
-  append_all(plane, stage::triangle_setup, records.setup);
-  append_all(plane, stage::rasterizer, records.raster);
-  append_all(plane, stage::texture_fetch, records.texture);
+void feed(TimingPlane& plane, const TimingRecords& records, const PipelineTiming& timing, std::vector<Cycle>& last_interval) {
+  append_all(plane, stage::vertex_processor, records.vertex, last_interval);
+  append_all(plane, stage::triangle_setup, records.setup, last_interval);
+  append_all(plane, stage::rasterizer, records.raster, last_interval);
+  append_all(plane, stage::texture_fetch, records.texture, last_interval);
   if (records.fragments == 0) return;
   for (const int index : {stage::interpolators, stage::environment, stage::illumination, stage::frame_sink}) {
     TokenRecord record;
     record.interval = timing.interval[static_cast<std::size_t>(index)];
     plane.append_uniform(index, record, static_cast<std::size_t>(records.fragments));
+    last_interval[static_cast<std::size_t>(index)] = record.interval;
   }
 }
 

@@ -17,7 +17,7 @@ struct TimingRecords {
 /// A copy of the records that the block carries.
 std::unique_ptr<TimingRecords> records_of(const FragmentBlock& block);
 
-/// Appends the records, stage by stage.
-void feed(TimingPlane& plane, const TimingRecords& records, const PipelineTiming& timing);
+/// Appends the records, stage by stage, and notes the initiation interval of the last token of each stage.
+void feed(TimingPlane& plane, const TimingRecords& records, const PipelineTiming& timing, std::vector<Cycle>& last_interval);
 
 }  // namespace bump

@@ -87,6 +87,7 @@ void AngularMeter::measure(const FragmentBlock& block, const DeliveredDirection&
     const glm::dmat3 frame = delivery_frame(direction.frame, probe(block, normal_probe, lane), probe(block, tangent_probe, lane),
                                             probe(block, binormal_probe, lane));
     truth = glm::transpose(frame) * truth;
+    if (!(truth.z > 0)) continue;
     sums.hardware.add(angle_between(truth, delivered(hardware, lane)));
     sums.exact.add(angle_between(truth, delivered(exact, lane)));
   }

@@ -1,8 +1,9 @@
 #pragma once
 // Measures how far the directions that the environment unit delivers are from the true ones, per fragment and light: L is the object-space
 // light vector at the fragment, H the normalised sum of the unit vectors to light and eye, both in the frame in which the design delivers
-// them. A measuring instrument, not hardware; it takes no time. Source of the frames: schemes/scheme.h, DeliveredDirection; polar: Lee
-// 2007, Eqs 19-21.
+// them. Only vectors that light the surface are counted: those whose exact z in that frame is above 0. Others add nothing to the picture,
+// and the error tables of the literature leave them out. A measuring instrument, not hardware; it takes no time. Source of the frames:
+// schemes/scheme.h, DeliveredDirection; polar: Lee 2007, Eqs 19-21.
 
 #include <array>
 #include <glm/glm.hpp>
@@ -28,7 +29,8 @@ class AngularMeter {
   /// Nothing happens unless the context probes directions.
   void process(const FragmentBlock& block);
 
-  /// One entry per delivered direction of the design, all lights together; empty without probes.
+  /// One entry per delivered direction of the design, all lights together; empty without probes. Angles are NaN where no vector lights
+  /// the surface.
   std::vector<AngularError> hardware() const { return report(&Sums::hardware); }
   std::vector<AngularError> exact() const { return report(&Sums::exact); }
 

@@ -31,13 +31,17 @@ Netlist colour_netlist(const Scene& scene, const Material& material, const Colou
   const int whole = integer_bits(scene);
   const Format wide = sfixed(config.bits + whole + 1, config.bits), unit = ufixed(config.bits + 1, config.bits);
   const bool gains = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.intensity != 1; });
+  // The gain has a word of its own: intensities may be large where materials are dark, so that no sum is.
+  double brightest = 1;
+  for (const Light& light : scene.lights) brightest = std::max(brightest, std::fabs(light.intensity));
+  const Format gain = sfixed(config.bits + static_cast<int>(std::ceil(std::log2(brightest + 1))) + 1, config.bits);
   Wire sum = n.constant("ambient", material.ambient, wide);
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     const int light = static_cast<int>(l);
     Wire intensity = n.input(plane_of_light("intensity", light), wide);
     if (gains)
       intensity =
-          n.mul(plane_of_light("lit", light), intensity, n.constant(plane_of_light("gain", light), scene.lights[l].intensity, wide), wide);
+          n.mul(plane_of_light("lit", light), intensity, n.constant(plane_of_light("gain", light), scene.lights[l].intensity, gain), wide);
     sum = n.add(plane_of_light("sum", light), sum, intensity, wide, "Lee 2007 Eq 2");
   }
   for (const char* channel : {"r", "g", "b"}) {

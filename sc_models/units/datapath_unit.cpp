@@ -1,8 +1,11 @@
 #include "units/datapath_unit.h"
 
+#include "datapath/invariant.h"
+
 namespace bump {
 
-DatapathUnit::DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select) : context_(std::move(context)) {
+DatapathUnit::DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select, const std::vector<std::string>& jumps)
+    : context_(std::move(context)) {
   const Netlist* first = select(context_->designs.front());
   if (first == nullptr) return;
   for (const Design& design : context_->designs) {
@@ -14,6 +17,10 @@ DatapathUnit::DatapathUnit(std::shared_ptr<const PipelineContext> context, Selec
     for (const Netlist::Port& port : first->inputs()) ports.inputs.push_back(context_->plane(port.name, light));
     for (const Netlist::Port& port : first->outputs()) ports.outputs.push_back(context_->plane(port.name, light));
     ports_.push_back(std::move(ports));
+  }
+  for (const std::string& name : jumps) {
+    jumps_.push_back(first->find(name));
+    BUMP_ASSERT(jumps_.back() >= 0);
   }
   inputs_.resize(first->inputs().size());
   outputs_.resize(first->outputs().size());
@@ -31,6 +38,10 @@ void DatapathUnit::process(FragmentBlock& block) {
     for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i] = context_->exact_plane(block, ports.inputs[i]).data();
     for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = block.exact[static_cast<std::size_t>(ports.outputs[i])].data();
     exact_[design]->evaluate(inputs_.data(), block.lanes, outputs_.data());
+    for (const int flag : jumps_) {
+      for (int lane = 0; lane < block.lanes; ++lane)
+        if (hardware_[design]->value(flag, lane) != exact_[design]->value(flag, lane)) block.diverged[static_cast<std::size_t>(lane)] = 1;
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "datapath/evaluate.h"
@@ -17,7 +18,8 @@ class DatapathUnit {
   /// Picks the unit's netlist out of a design; null if the design has none, and the unit then does nothing.
   using Select = const Netlist* (*)(const Design&);
 
-  DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select);
+  /// `jumps`: flags of the netlist, by node name, whose decisions are compared between the two evaluations (FragmentBlock::diverged).
+  DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select, const std::vector<std::string>& jumps = {});
   void process(FragmentBlock& block);
 
   /// Times the whole netlist was executed: fragments times lights.
@@ -34,6 +36,7 @@ class DatapathUnit {
   std::vector<Ports> ports_;                                  ///< one per light
   std::vector<const double*> inputs_;
   std::vector<double*> outputs_;
+  std::vector<int> jumps_;  ///< nodes
   std::int64_t executions_ = 0;
 };
 

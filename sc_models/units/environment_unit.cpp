@@ -10,9 +10,11 @@ const Netlist* environment_of(const Design& design) {
 
 }  // namespace
 
-EnvironmentUnit::EnvironmentUnit(std::shared_ptr<const PipelineContext> context) : datapath_(context, environment_of), meter_(context) {}
+EnvironmentUnit::EnvironmentUnit(std::shared_ptr<const PipelineContext> context)
+    : datapath_(context, environment_of, context->designs.front().jumps), meter_(context) {}
 
 void EnvironmentUnit::process(FragmentBlock& block) {
+  block.diverged.fill(0);
   datapath_.process(block);
   meter_.process(block);
 }

@@ -36,11 +36,14 @@ struct FragmentBlock {
   std::array<std::int32_t, block_lanes> triangle{};  ///< index into `triangles`
   std::vector<std::shared_ptr<const SetupTriangle>> triangles;
   Lanes weight1{}, weight2{};  ///< perspective-correct barycentric weights of corners 1 and 2
-  Lanes u{}, v{}, lod{};       ///< lod: log2 of texels per pixel for a 1 x 1 texture; the texture adds log2 of its own size
+  Lanes u{}, v{};
+  Lanes dudx{}, dvdx{}, dudy{}, dvdy{};  ///< change of u and v from pixel to pixel, memory/level_of_detail.h
+
+  std::array<std::uint8_t, block_lanes> diverged{};  ///< 1 where hardware and double evaluation stand on different sides of a Design::jumps
 
   std::vector<Lanes> hardware;  ///< planes by index (PlaneMap), as the simulated hardware holds them
-  /// The same in double precision; empty when the arithmetic is double anyway. Planes that both share (PipelineContext::shared_planes) are kept
-  /// in `hardware` only: read through PipelineContext::exact_plane().
+  /// The same in double precision; empty when the arithmetic is double anyway. Planes that both share (PipelineContext::shared_planes) are
+  /// kept in `hardware` only: read through PipelineContext::exact_plane().
   std::vector<Lanes> exact;
 
   // Timing records of the tokens of this block, in token order.

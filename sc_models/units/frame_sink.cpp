@@ -17,6 +17,7 @@ FrameBuffer empty_frame(const Scene& scene) {
 FrameSink::FrameSink(std::shared_ptr<const PipelineContext> context)
     : context_(std::move(context)), hardware_(empty_frame(*context_->scene)) {
   if (context_->separate_exact()) exact_ = hardware_;
+  diverged_.assign(hardware_.object.size(), 0);
   colour_plane_ = context_->planes.index("colour.r");
 }
 
@@ -33,6 +34,7 @@ void FrameSink::process(const FragmentBlock& block) {
     }
     hardware_.depth[pixel] = block.depth[lane];
     hardware_.object[pixel] = block.object;
+    diverged_[pixel] = block.diverged[lane];
     for (std::size_t c = 0; c < 3; ++c) hardware_.colour[3 * pixel + c] = block.hardware[first + c][lane];
     if (!exact) continue;
     exact_.depth[pixel] = block.depth[lane];

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "units/frame_buffer.h"
 #include "units/pipeline_context.h"
@@ -21,12 +22,15 @@ class FrameSink {
   std::int64_t hidden() const { return hidden_; }
   /// What the hardware drew.
   const FrameBuffer& hardware() const { return hardware_; }
+  /// Per pixel, FragmentBlock::diverged of the fragment that is seen.
+  const std::vector<std::uint8_t>& diverged() const { return diverged_; }
   /// The double-precision evaluation; the hardware's frame where blocks carry none of their own.
   const FrameBuffer& exact() const { return context_->separate_exact() ? exact_ : hardware_; }
 
  private:
   std::shared_ptr<const PipelineContext> context_;
   FrameBuffer hardware_, exact_;
+  std::vector<std::uint8_t> diverged_;
   int colour_plane_ = 0;
   std::int64_t retired_ = 0, hidden_ = 0;
 };

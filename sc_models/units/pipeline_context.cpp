@@ -108,7 +108,12 @@ std::shared_ptr<const PipelineContext> make_context(const Scene& scene, std::vec
   for (const char* channel : {"tex.r", "tex.g", "tex.b"}) context->planes.add(channel);
   context->shared_planes = static_cast<int>(context->planes.size());
   for (const BumpEncoding::Channel& channel : design.map.channels) context->planes.add("map." + channel.name);
-  if (design.conversion) add_outputs(*context, *design.conversion);
+  if (design.conversion) {
+    for (const Netlist::Port& port : design.conversion->inputs())
+      if (port.name.rfind("map.", 0) == 0)
+        does_not_fit("input '" + port.name + "' of the conversion netlist", "it runs before the texture unit has fetched the map");
+    add_outputs(*context, *design.conversion);
+  }
   add_outputs(*context, design.environment);
   add_outputs(*context, design.illumination);
   for (const char* channel : {"colour.r", "colour.g", "colour.b"}) context->planes.add(channel);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "datapath/invariant.h"
-#include "memory/level_of_detail.h"
 
 namespace bump {
 
@@ -62,7 +61,14 @@ void Rasterizer::process(const TriangleBlock& triangles) {
     const auto index = static_cast<std::size_t>(i);
     for (int piece = triangles.first_piece[index]; piece < triangles.first_piece[index + 1]; ++piece)
       walk(triangles.pieces[static_cast<std::size_t>(piece)]);
-    if (token_fragments_ == 0 && triangles.first_piece[index] < triangles.first_piece[index + 1]) ++counters_.triangles_empty;
+    const bool rasterized = triangles.first_piece[index] < triangles.first_piece[index + 1];
+    // Without a fragment, hidden_ counts every position that the triangle covers.
+    if (token_fragments_ > 0)
+      ++counters_.triangles_drawn;
+    else if (hidden_ > 0)
+      ++counters_.triangles_hidden;
+    else if (rasterized)
+      ++counters_.triangles_empty;
     end_triangle();
   }
 }
@@ -197,7 +203,10 @@ void Rasterizer::interpolate_run() {
     block.weight2[lane] = w2;
     block.u[lane] = u0 + w1 * u1 + w2 * u2;
     block.v[lane] = v0 + w1 * v1 + w2 * v2;
-    block.lod[lane] = level_of_detail(w1x * u1 + w2x * u2, w1x * v1 + w2x * v2, w1y * u1 + w2y * u2, w1y * v1 + w2y * v2);
+    block.dudx[lane] = w1x * u1 + w2x * u2;
+    block.dvdx[lane] = w1x * v1 + w2x * v2;
+    block.dudy[lane] = w1y * u1 + w2y * u2;
+    block.dvdy[lane] = w1y * v1 + w2y * v2;
   }
   run_begin_ = end;
 }

@@ -1,9 +1,9 @@
 #pragma once
 // The rasterizer: walks the covered pixels of each raster triangle, row by row or tile by tile, tests depth before anything is shaded, and
-// hands fragments on with perspective-correct weights, texture coordinates and their level of detail. Depth is held in double precision;
+// hands fragments on with perspective-correct weights, texture coordinates and their derivatives. Depth is held in double precision;
 // finding covered positions among uncovered ones costs no time (ideal traversal). A token is a surviving fragment; positions that are
 // covered but hidden cost a cycle each and delay the next one. Source: Pineda 1988 (edge functions); Heckbert and Moreton, "Interpolation
-// for polygon texture mapping and shading", 1991 (perspective); OpenGL specification (level of detail).
+// for polygon texture mapping and shading", 1991 (perspective and derivatives).
 
 #include <functional>
 #include <memory>
@@ -42,7 +42,8 @@ class Rasterizer {
   /// Hands out what is left, marked as the last block (it may have no lanes).
   void finish();
 
-  /// fragments_generated, fragments_hidden, fragments and triangles_empty (set up, but without a fragment) are counted here.
+  /// fragments_generated, fragments_hidden, fragments, triangles_drawn and triangles_hidden are counted here; triangles_empty counts those
+  /// that were set up but cover no pixel centre.
   const GeometryCounters& counters() const { return counters_; }
 
  private:

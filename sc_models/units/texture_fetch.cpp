@@ -29,7 +29,7 @@ void TextureFetchConfig::declare(Parameters& p) {
   p.integer("texture_fetch.cache.sets", 32, 1, 1 << 20, "sets", "texture cache: sets, a power of two");
   p.integer("texture_fetch.cache.ways", 4, 1, 1024, "lines", "texture cache: lines of a set, replaced least recently used first");
   p.integer("texture_fetch.cache.line_bytes", 64, 1, 4096, "bytes", "texture cache: bytes of a line, a power of two");
-  p.integer("memory.tag_latency", 1, 0, 4096, "cycles", "from the start of a look-up to its request to memory");
+  p.integer("memory.tag_latency", 1, 1, 4096, "cycles", "from the start of a look-up to its request to memory");
   p.integer("memory.latency", 40, 1, 1 << 20, "cycles", "from the grant of a line to its arrival");
   p.integer("memory.cycles_per_line", 4, 1, 1 << 20, "cycles", "bus occupation of a line");
   p.integer("memory.outstanding", 8, 1, 4096, "lines", "misses in flight");
@@ -47,7 +47,9 @@ TextureFetchConfig::TextureFetchConfig(const Configuration& c)
 TextureFetch::TextureFetch(std::shared_ptr<const PipelineContext> context, const TextureFetchConfig& config)
     : context_(std::move(context)), config_(config), cache_(config.cache) {
   colour_plane_ = context_->planes.index("tex.r");
-  map_plane_ = context_->planes.index("map." + context_->designs.front().map.channels.front().name);
+  const std::vector<BumpEncoding::Channel>& channels = context_->designs.front().map.channels;
+  has_map_ = !channels.empty();
+  if (has_map_) map_plane_ = context_->planes.index("map." + channels.front().name);
   // Objects that share a texture share it in memory; a bump map is shared by objects of one design.
   std::map<const Texture*, int> colours;
   std::map<std::pair<const Texture*, int>, int> maps;
@@ -57,6 +59,10 @@ TextureFetch::TextureFetch(std::shared_ptr<const PipelineContext> context, const
     const int design = context_->design_of_object[i];
     auto colour = colours.find(object.colour.get());
     if (colour == colours.end()) colour = colours.emplace(object.colour.get(), place(object.colour, nullptr)).first;
+    if (!has_map_) {
+      objects_.push_back({colour->second, -1});
+      continue;
+    }
     auto map = maps.find({object.normals.get(), design});
     if (map == maps.end()) {
       const BumpEncoding& encoding = context_->designs[static_cast<std::size_t>(design)].map;
@@ -121,7 +127,8 @@ void TextureFetch::fetch(const Resident& texture, FragmentBlock& block, std::siz
     return;
   }
   TexelTap taps[8];
-  const int count = texel_taps(hardware, config_.filter, u, v, lod_of_access(hardware, config_.filter, block.lod[lane]), taps);
+  const TextureDerivatives derivatives{block.dudx[lane], block.dvdx[lane], block.dudy[lane], block.dvdy[lane]};
+  const int count = texel_taps(hardware, config_.filter, u, v, lod_of_access(hardware, config_.filter, derivatives), taps);
   counters_.reads += count;
   for (int i = 0; i < count; ++i) {
     if (i == 0 || taps[i].level != taps[i - 1].level) ++footprints_;
@@ -138,13 +145,13 @@ void TextureFetch::fetch(const Resident& texture, FragmentBlock& block, std::siz
 void TextureFetch::process(FragmentBlock& block) {
   const ObjectTextures& textures = objects_[static_cast<std::size_t>(block.object)];
   const Resident& colour = residents_[static_cast<std::size_t>(textures.colour)];
-  const Resident& map = residents_[static_cast<std::size_t>(textures.map)];
-  texel_.resize(static_cast<std::size_t>(std::max(colour.hardware->channels, map.hardware->channels)));
+  const Resident* map = has_map_ ? &residents_[static_cast<std::size_t>(textures.map)] : nullptr;
+  texel_.resize(static_cast<std::size_t>(std::max(colour.hardware->channels, map ? map->hardware->channels : 0)));
   for (std::size_t lane = 0; lane < static_cast<std::size_t>(block.lanes); ++lane) {
     line_count_ = 0;
     footprints_ = misses_ = 0;
     fetch(colour, block, lane, colour_plane_);
-    fetch(map, block, lane, map_plane_);
+    if (map) fetch(*map, block, lane, map_plane_);
     TokenRecord record;
     record.interval = static_cast<std::uint32_t>((footprints_ + config_.footprints_per_cycle - 1) / config_.footprints_per_cycle);
     record.misses = static_cast<std::uint16_t>(misses_);

@@ -46,7 +46,7 @@ class TextureFetch {
     TextureLayout layout;
   };
   struct ObjectTextures {
-    int colour = 0, map = 0;  ///< index into residents_
+    int colour = 0, map = 0;  ///< index into residents_; map: only if has_map_
   };
 
   int place(std::shared_ptr<const Texture> hardware, std::shared_ptr<const Texture> exact);
@@ -62,6 +62,7 @@ class TextureFetch {
   std::vector<Resident> residents_;
   std::vector<ObjectTextures> objects_;    ///< one per scene object
   int colour_plane_ = 0, map_plane_ = 0;   ///< first of the texel planes
+  bool has_map_ = true;                    ///< false: the scheme reads no bump map
   std::array<std::uint64_t, 16> lines_{};  ///< distinct lines of the fragment so far: two textures, eight texels each
   std::size_t line_count_ = 0;
   std::vector<double> texel_;        ///< channels of one texture, for the general way

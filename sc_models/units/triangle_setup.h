@@ -35,8 +35,8 @@ class TriangleSetup {
   /// Cuts every triangle of the block into raster triangles and leaves the setup records.
   void process(TriangleBlock& block);
 
-  /// triangles_clipped and triangles_culled are counted here; triangles_empty counts those dropped for no area or for lying beside the
-  /// frame.
+  /// triangles_clipped and triangles_culled are counted here; triangles_empty counts those dropped for lying beside the frame or for having
+  /// no area.
   const GeometryCounters& counters() const { return counters_; }
 
  private:

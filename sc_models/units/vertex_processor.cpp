@@ -36,7 +36,7 @@ glm::dvec3 binormal(const Vertex& vertex) {
 void VertexProcessorConfig::declare(Parameters& p) {
   p.integer("vertex_processor.alus", 4, 1, 4096, "arithmetic units", "operations of a vertex executed each cycle");
   p.integer("vertex_processor.cache_entries", 16, 0, 65536, "vertices", "post-transform cache, first in first out; 0 for none");
-  p.integer("vertex_processor.latency", 8, 1, 4096, "cycles", "from the indices of a triangle to its transformed corners");
+  p.integer("vertex_processor.latency", 8, 1, 4096, "cycles", "from the last operation of a triangle to its delivery");
 }
 
 VertexProcessorConfig::VertexProcessorConfig(const Configuration& c)
@@ -74,12 +74,17 @@ Netlist vertex_transform(bool towards_eye, int point_lights) {
   return netlist;
 }
 
-VertexWork vertex_work(const PipelineContext& context) {
+Netlist vertex_transform(const PipelineContext& context) {
   const Netlist& program = context.designs.front().vertex;
   const std::vector<Light>& lights = context.scene->lights;
   const auto points = std::count_if(lights.begin(), lights.end(), [](const Light& light) { return !light.directional; });
+  return vertex_transform(reads(program, 'V'), reads(program, 'L') ? static_cast<int>(points) : 0);
+}
+
+VertexWork vertex_work(const PipelineContext& context) {
+  const Netlist& program = context.designs.front().vertex;
   VertexWork work;
-  work.transform = operations(count(vertex_transform(reads(program, 'V'), reads(program, 'L') ? static_cast<int>(points) : 0)));
+  work.transform = operations(count(vertex_transform(context)));
   const std::vector<bool> per_light = depends_on(program, {"L."});
   std::vector<bool> once = per_light;
   once.flip();
@@ -90,7 +95,7 @@ VertexWork vertex_work(const PipelineContext& context) {
 }
 
 VertexProcessor::VertexProcessor(std::shared_ptr<const PipelineContext> context, const VertexProcessorConfig& config)
-    : context_(std::move(context)), config_(config), work_(vertex_work(*context_)) {
+    : context_(std::move(context)), config_(config), transform_(vertex_transform(*context_)), work_(vertex_work(*context_)) {
   for (const Design& design : context_->designs) programs_.push_back(make_evaluator(design.vertex, Arithmetic::real));
 }
 
@@ -167,6 +172,7 @@ void VertexProcessor::emit_triangle(TriangleBlock& block, int index, std::uint32
   const std::int64_t cycles_per_vertex = (work_.total() + config_.alus - 1) / config_.alus;
   TokenRecord record;
   record.interval = static_cast<std::uint32_t>(std::max<std::int64_t>(1, transformed * cycles_per_vertex));
+  record.lead = record.interval - 1;  // the triangle leaves when its last corner is done
   block.vertex_records.push_back(record);
   counters_.vertices += transformed;
   counters_.vertex_reuses += 3 - transformed;

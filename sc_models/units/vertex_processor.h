@@ -21,7 +21,7 @@ namespace bump {
 struct VertexProcessorConfig {
   int alus = 4;            ///< arithmetic units, one operation a cycle each
   int cache_entries = 16;  ///< post-transform cache, 0 for none
-  int latency = 8;         ///< cycles
+  int latency = 8;         ///< cycles behind the last operation
 
   static void declare(Parameters& parameters);
   VertexProcessorConfig() = default;
@@ -41,6 +41,8 @@ std::int64_t operations(const Inventory& inventory);
 /// The transform every scheme shares, as hardware: homogeneous matrix times vector, and the differences towards the eye and each point
 /// light.
 Netlist vertex_transform(bool towards_eye, int point_lights);
+/// With the differences that the scheme's vertex program reads.
+Netlist vertex_transform(const PipelineContext& context);
 VertexWork vertex_work(const PipelineContext& context);
 
 class VertexProcessor {
@@ -54,6 +56,8 @@ class VertexProcessor {
   /// vertices, vertex_reuses and triangles are counted here.
   const GeometryCounters& counters() const { return counters_; }
   const VertexWork& work() const { return work_; }
+  /// The transform that every scheme shares, as hardware.
+  const Netlist& transform() const { return transform_; }
 
  private:
   void start_object();
@@ -62,6 +66,7 @@ class VertexProcessor {
 
   std::shared_ptr<const PipelineContext> context_;
   VertexProcessorConfig config_;
+  Netlist transform_;
   VertexWork work_;
   std::vector<std::unique_ptr<Evaluator>> programs_;  ///< one per design
   GeometryCounters counters_;

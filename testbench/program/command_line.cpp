@@ -2,14 +2,18 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <functional>
-#include <iostream>
+#include <new>
 #include <system_error>
 
+#include "channels/parameters.h"
 #include "datapath/error.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/failure_report.h"
+#include "testbench/program/interrupt.h"
 #include "testbench/program/version.h"
 
 namespace bump {
@@ -23,16 +27,52 @@ void add_configuration(CLI::App& command, std::vector<std::string>& files, std::
 
 void add_json(CLI::App& command, bool& json) { command.add_flag("--json", json, "one JSON document on stdout"); }
 
-int bad_usage(const CLI::App& program, const CLI::ParseError& error) {
-  std::cerr << "bumpsim: " << error.what() << '\n';
+/// Left to the commands, an empty path would mean the default.
+CLI::Validator named() {
+  return CLI::Validator([](std::string& text) { return text.empty() ? std::string("must not be empty") : std::string(); }, "");
+}
+
+/// The first word that is no option stands where the command belongs.
+std::string misspelt_command(const CLI::App& program, int argc, char* argv[]) {
+  if (!program.get_subcommands().empty()) return "";
+  for (int i = 1; i < argc; ++i)
+    if (argv[i][0] != '-') return argv[i];
+  return "";
+}
+
+ErrorText bad_usage(const CLI::App& program, const CLI::ParseError& error, int argc, char* argv[]) {
   const auto used = program.get_subcommands();
-  std::cerr << "  try: bumpsim " << (used.empty() ? "" : used.front()->get_name() + " ") << "--help\n";
-  return static_cast<int>(ErrorKind::input);
+  ErrorText text;
+  text.what = error.what();
+  text.try_this = "bumpsim " + (used.empty() ? "" : used.front()->get_name() + " ") + "--help";
+  const std::string word = misspelt_command(program, argc, argv);
+  if (word.empty()) return text;
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  text.what = "there is no command '" + word + "'";
+  text.why = "the commands are: " + CLI::detail::join(names, ", ");
+  const std::string near = nearest_word(word, names);
+  if (!near.empty()) text.try_this = "bumpsim " + near;
+  return text;
+}
+
+/// For usage errors, which come before the options are known.
+bool asks_for_json(int argc, char* argv[]) {
+  return std::any_of(argv + 1, argv + std::max(argc, 1), [](const char* argument) { return std::string(argument) == "--json"; });
+}
+
+ErrorText text_of(const std::string& what, const std::string& why, const std::string& try_this) {
+  ErrorText text;
+  text.what = what;
+  text.why = why;
+  text.try_this = try_this;
+  return text;
 }
 
 }  // namespace
 
 int command_line(int argc, char* argv[]) {
+  guard_process();
   CLI::App program{"bumpsim: simulates bump-mapping hardware and says what it costs, how fast it is and how good its picture is", "bumpsim"};
   program.require_subcommand(1);
   program.set_version_flag("--version", version_text());
@@ -45,10 +85,10 @@ int command_line(int argc, char* argv[]) {
   command->add_option("--scheme", run.scheme, "see: bumpsim list schemes")->capture_default_str();
   command->add_option("--engine", run.engine, "dated (fast, exact) or stepped (clocked, for waveforms)")->capture_default_str();
   add_configuration(*command, run.configuration_files, run.settings);
-  command->add_option("--out", run.out, "result folder; must not exist (default: a new one under ./out)")->type_name("DIR");
-  command->add_option("--trace", run.trace, "VCD file with FIFOs and unit states; needs --engine stepped")->type_name("FILE.vcd");
-  command->add_flag("--force", run.force, "replace an earlier result in --out");
-  command->add_flag("--no-quality", run.no_quality, "skip the reference pictures and everything compared with them");
+  command->add_option("--out", run.out, "result folder; must not exist or be empty (default: a new one under ./out)")->type_name("DIR")->check(named());
+  command->add_option("--trace", run.trace, "VCD file with FIFOs and unit states; needs --engine stepped; must not exist")->type_name("FILE.vcd")->check(named());
+  command->add_flag("--force", run.force, "replace an earlier result in --out, and an earlier file of --trace");
+  command->add_flag("--no-quality", run.no_quality, "only cycles, counts and the picture: no references, no evaluation in double precision; faster");
   add_json(*command, run.json);
   command->callback([&] { chosen = [&] { return run_command(run); }; });
 
@@ -72,7 +112,7 @@ int command_line(int argc, char* argv[]) {
 
   LutsArguments luts;
   command = program.add_subcommand("luts", "write the ROM images of all schemes' tables and a manifest");
-  command->add_option("--out", luts.out, "folder for the images")->capture_default_str()->type_name("DIR");
+  command->add_option("--out", luts.out, "folder for the images")->capture_default_str()->type_name("DIR")->check(named());
   add_configuration(*command, luts.configuration_files, luts.settings);
   add_json(*command, luts.json);
   command->callback([&] { chosen = [&] { return luts_command(luts); }; });
@@ -91,26 +131,23 @@ int command_line(int argc, char* argv[]) {
   } catch (const CLI::Success& help) {
     return program.exit(help);
   } catch (const CLI::ParseError& error) {
-    return bad_usage(program, error);
+    return report_failure(ErrorKind::input, bad_usage(program, error, argc, argv), asks_for_json(argc, argv));
   }
 
+  const bool json = run.json || list.json || describe.json || check.json || luts.json || probe.json;
   try {
     const int code = chosen();
     if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category());
     return code;
   } catch (const Error& error) {
-    std::cerr << "bumpsim: " << error.what() << '\n';
-    return static_cast<int>(error.kind());
+    return report_failure(error.kind(), error.text(), json);
   } catch (const std::system_error& error) {
     // Files are written with checks of their own; what is left is the program's own output.
-    std::cerr << "bumpsim: cannot write to standard output\n  why: " << error.code().message() << '\n';
-    return static_cast<int>(ErrorKind::input);
+    return report_failure(ErrorKind::input, text_of("cannot write to standard output", error.code().message(), ""), false);
   } catch (const std::bad_alloc&) {
-    std::cerr << "bumpsim: out of memory\n  try: a smaller frame or mesh\n";
-    return static_cast<int>(ErrorKind::input);
+    return report_failure(ErrorKind::input, text_of("out of memory", "", "a smaller frame or mesh"), json);
   } catch (const std::exception& error) {
-    std::cerr << "bumpsim: internal error: " << error.what() << '\n';
-    return static_cast<int>(ErrorKind::internal);
+    return report_failure(ErrorKind::internal, text_of("internal error", error.what(), "report this with the command that led to it"), json);
   }
 }
 

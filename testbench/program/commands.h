@@ -15,7 +15,7 @@ struct RunArguments {
   std::vector<std::string> settings;  ///< "key=value"
   std::string out;                    ///< empty: a new folder under out/
   std::string trace;                  ///< VCD path, stepped engine only
-  bool force = false;                 ///< replace an earlier result
+  bool force = false;                 ///< replace an earlier result or trace
   bool no_quality = false;            ///< skip the reference renderings
   bool json = false;
 };

@@ -14,6 +14,7 @@
 #include "testbench/program/commands.h"
 #include "testbench/program/configure.h"
 #include "testbench/program/scheme_units.h"
+#include "testbench/program/shipped_scenes.h"
 #include "testbench/results/statistics_table.h"
 
 namespace bump {
@@ -147,6 +148,14 @@ int describe_command(const DescribeArguments& arguments) {
     if (scheme->page().id == arguments.name) return describe_scheme(*scheme, arguments.json);
     names.insert(scheme->page().id);
   }
+  for (const ShippedScene& scene : shipped_scenes()) {
+    if (scene.name != arguments.name) {
+      names.insert(scene.name);
+      continue;
+    }
+    if (!arguments.json) fmt::print("{}\n", scene.title);
+    return check_command({scene.name, arguments.json});
+  }
   const auto below = parameters_below(parameters, arguments.name);
   if (!below.empty()) {
     if (arguments.json) {
@@ -163,7 +172,7 @@ int describe_command(const DescribeArguments& arguments) {
     names.insert(module_of(key));
   }
   const std::string near = nearest_word(arguments.name, {names.begin(), names.end()});
-  throw Error({"there is nothing called '" + arguments.name + "'", {}, "it is no scheme, module or parameter", near.empty() ? "bumpsim describe" : "bumpsim describe " + near});
+  throw Error({"there is nothing called '" + arguments.name + "'", {}, "it is no scheme, scene, module or parameter", near.empty() ? "bumpsim describe" : "bumpsim describe " + near});
 }
 
 }  // namespace bump

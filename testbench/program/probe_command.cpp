@@ -47,7 +47,11 @@ std::map<std::string, double> read_inputs(const Netlist& netlist, const std::vec
 
 double shown(const ProbeRow& row, double value) { return row.is_angle ? value * degrees_per_turn : value; }
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6f}", value) : std::string("-"); }
+std::string number(double value) {
+  if (!std::isfinite(value)) return "-";
+  const std::string text = fmt::format("{:.6f}", value);
+  return text == "-0.000000" ? text.substr(1) : text;
+}
 
 nlohmann::ordered_json to_json(const ProbeRow& row) {
   nlohmann::ordered_json entry = {{"name", row.name}, {"operator", row.op}, {"equation", row.equation}, {"format", row.format}};
@@ -84,7 +88,7 @@ int probe_command(const ProbeArguments& arguments) {
     fmt::print("{:<22} {:<18} {:>12} {:>14} {:>14} {:>10} {}{}\n", row.name, row.op, row.format, number(shown(row, row.real)),
                real ? "" : number(shown(row, row.fixed)), real ? "" : std::to_string(row.raw), row.is_angle ? "deg " : "    ", source);
   }
-  fmt::print("Angles are in degrees, (-180, 180]. `word` is the integer that the hardware holds; a table's is its address.\n");
+  fmt::print("Angles are in degrees, [-180, 180). `word` is the integer that the hardware holds; a table's is its address.\n");
   return 0;
 }
 

@@ -4,14 +4,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "testbench/program/warning.h"
 
 namespace bump {
 
 Progress::Progress(std::string what) : what_(std::move(what)), begin_(Clock::now()), drawn_(begin_), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (visible_) fmt::print(stderr, "\r\033[K");
+  if (visible_) write_to_stderr("\r\033[K");
 }
 
 void Progress::update(double share) {
@@ -25,8 +26,7 @@ void Progress::update(double share) {
   const int width = 30;
   const int filled = static_cast<int>(done * width);
   const std::string left = done > 0.01 ? fmt::format("{:.0f} s left", elapsed * (1 - done) / done) : "";
-  fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} % {}", what_, "", filled, "", width - filled, 100 * done, left);
-  std::fflush(stderr);
+  write_to_stderr(fmt::format("\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} % {}", what_, "", filled, "", width - filled, 100 * done, left));
 }
 
 }  // namespace bump

@@ -19,6 +19,8 @@ const Netlist& unit_of(const Design& design, const std::string& scheme, const st
     list += (list.empty() ? "" : ", ") + known.name;
   }
   const std::string near = nearest_word(unit, names);
+  if (unit == "conversion")
+    throw Error({"scheme " + scheme + " has no conversion unit in this configuration", {}, "its angles come from the vertices", "bumpsim describe " + scheme});
   throw Error({"scheme " + scheme + " has no unit '" + unit + "'", {}, "its units are: " + list, near.empty() ? "" : near});
 }
 

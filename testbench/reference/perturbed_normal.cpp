@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "memory/level_of_detail.h"
 #include "memory/texture.h"
 
 namespace bump {
@@ -22,15 +21,15 @@ glm::dvec3 across(const glm::dvec3& normal) {
   return glm::normalize(axis - normal * glm::dot(normal, axis));
 }
 
-double height_at(const Texture& heights, Filter filter, double u, double v, double lod) {
+double height_at(const Texture& heights, Filter filter, double u, double v, double level) {
   double height = 0;
-  sample(heights, filter, u, v, lod_of_access(heights, filter, lod), &height);
+  sample(heights, filter, u, v, level, &height);
   return height;
 }
 
 /// Half the distance of a central difference, in texels of level 0: one texel of the level that a trilinear access reads.
-double difference_step(const Texture& heights, Filter filter, double lod) {
-  return std::exp2(std::clamp(lod_of_access(heights, filter, lod), 0.0, static_cast<double>(heights.levels.size() - 1)));
+double difference_step(const Texture& heights, double level) {
+  return std::exp2(std::clamp(level, 0.0, static_cast<double>(heights.levels.size() - 1)));
 }
 
 }  // namespace
@@ -46,7 +45,7 @@ glm::dvec3 normal_from_map(const SceneObject& object, const SurfacePoint& point,
   const glm::dmat3 frame = exact_frame(point);
   if (!object.normals) return frame[2];
   double texel[3] = {0, 0, 1};
-  sample(*object.normals, filter, point.uv.x, point.uv.y, lod_of_access(*object.normals, filter, point.lod), texel);
+  sample(*object.normals, filter, point.uv.x, point.uv.y, reference_level(*object.normals, filter, point.footprint), texel);
   const glm::dvec3 normal = unit({texel[0], texel[1], texel[2]}, {0, 0, 1});
   return glm::normalize(frame * normal);
 }
@@ -78,14 +77,13 @@ glm::dvec3 normal_from_heights(const SceneObject& object, double texel_size, con
   if (!object.heights || !derivatives.valid) return normal;
   const Texture& heights = *object.heights;
   const double width = heights.levels[0].width, height = heights.levels[0].height;
-  const double step = difference_step(heights, filter, point.lod);
+  const double level = reference_level(heights, filter, point.footprint);
+  const double step = difference_step(heights, level);
   const double u = point.uv.x, v = point.uv.y;
   const double du = step / width, dv = step / height;
   // Change of B over the whole texture, in object units.
-  const double bu =
-      texel_size * (height_at(heights, filter, u + du, v, point.lod) - height_at(heights, filter, u - du, v, point.lod)) / (2 * du);
-  const double bv =
-      texel_size * (height_at(heights, filter, u, v + dv, point.lod) - height_at(heights, filter, u, v - dv, point.lod)) / (2 * dv);
+  const double bu = texel_size * (height_at(heights, filter, u + du, v, level) - height_at(heights, filter, u - du, v, level)) / (2 * du);
+  const double bv = texel_size * (height_at(heights, filter, u, v + dv, level) - height_at(heights, filter, u, v - dv, level)) / (2 * dv);
 
   const glm::dvec3 &pu = derivatives.along_u, &pv = derivatives.along_v;
   // Negative where the texture is mirrored: Pu x Pv then points inside, and so would the result.

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "testbench/reference/texture_footprint.h"
 #include "units/scene.h"
 
 namespace bump {
@@ -18,7 +19,7 @@ struct SurfacePoint {
   glm::dvec3 normal{0, 0, 1}, tangent{1, 0, 0};
   double handedness = 1;
   glm::dvec2 uv{0};
-  double lod = 0;  ///< memory/level_of_detail.h
+  PixelFootprint footprint{0};  ///< used by the trilinear filter only
 };
 
 /// The orthonormal frame at a point: N, then T by Gram-Schmidt, then B = handedness * cross(N, T). Columns T, B, N.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "datapath/error.h"
-#include "memory/level_of_detail.h"
 #include "testbench/reference/coverage.h"
 #include "testbench/reference/perturbed_normal.h"
 #include "units/projection.h"
@@ -57,8 +56,8 @@ TriangleContext make_triangle(const ObjectContext& context, std::int32_t index) 
   return triangle;
 }
 
-/// The level of detail from the exact derivatives of (u, v) = (U, V) / W, where U, V and W are affine over the screen.
-double exact_level_of_detail(const TriangleContext& triangle, const glm::dvec3& p, const glm::dvec2& uv, int width, int height) {
+/// The exact derivatives of (u, v) = (U, V) / W, where U, V and W are affine over the screen.
+PixelFootprint exact_footprint(const TriangleContext& triangle, const glm::dvec3& p, const glm::dvec2& uv, int width, int height) {
   const auto& edges = triangle.screen.edges;
   const auto affine = [&](double a, double b, double c) { return edges[0] * a + edges[1] * b + edges[2] * c; };
   const glm::dvec3 w = affine(1, 1, 1);
@@ -66,7 +65,7 @@ double exact_level_of_detail(const TriangleContext& triangle, const glm::dvec3& 
   const glm::dvec3 v = affine(triangle.a->uv.y, triangle.b->uv.y, triangle.c->uv.y);
   const double at = glm::dot(w, p);
   const double right = 2.0 / width / at, down = -2.0 / height / at;  // one pixel in normalised device coordinates, over W
-  return level_of_detail((u.x - uv.x * w.x) * right, (v.x - uv.y * w.x) * right, (u.y - uv.x * w.y) * down, (v.y - uv.y * w.y) * down);
+  return {glm::dvec2{u.x - uv.x * w.x, v.x - uv.y * w.x} * right, glm::dvec2{u.y - uv.x * w.y, v.y - uv.y * w.y} * down};
 }
 
 glm::dvec3 shade(const ObjectContext& context, const TriangleContext& triangle, const glm::dvec3& p, int width, int height, Filter filter,
@@ -80,7 +79,7 @@ glm::dvec3 shade(const ObjectContext& context, const TriangleContext& triangle, 
   point.tangent = a.tangent * weight.x + b.tangent * weight.y + c.tangent * weight.z;
   point.handedness = a.handedness * weight.x + b.handedness * weight.y + c.handedness * weight.z;
   point.uv = a.uv * weight.x + b.uv * weight.y + c.uv * weight.z;
-  if (filter == Filter::trilinear) point.lod = exact_level_of_detail(triangle, p, point.uv, width, height);
+  if (filter == Filter::trilinear) point.footprint = exact_footprint(triangle, p, point.uv, width, height);
 
   const glm::dvec3 normal = which == ReferenceNormals::normal_map
                                 ? normal_from_map(object, point, filter)
@@ -100,7 +99,8 @@ glm::dvec3 shade(const ObjectContext& context, const TriangleContext& triangle, 
         light.intensity * (object.material.diffuse * diffuse + object.material.specular * std::pow(half, object.material.shininess));
   }
   double texel[3] = {1, 1, 1};
-  if (object.colour) sample(*object.colour, filter, point.uv.x, point.uv.y, lod_of_access(*object.colour, filter, point.lod), texel);
+  if (object.colour)
+    sample(*object.colour, filter, point.uv.x, point.uv.y, reference_level(*object.colour, filter, point.footprint), texel);
   return glm::clamp(glm::dvec3{texel[0], texel[1], texel[2]} * intensity, 0.0, 1.0);
 }
 

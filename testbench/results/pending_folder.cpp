@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -64,8 +65,33 @@ fs::path resolve(const std::string& out) {
   return path;
 }
 
-void check(const fs::path& out, bool force) {
+/// The nearest folder above that exists must take a new entry.
+void check_parent(const fs::path& out) {
+  fs::path parent = out.parent_path();
   std::error_code error;
+  while (fs::symlink_status(parent, error).type() == fs::file_type::not_found && parent.has_relative_path()) parent = parent.parent_path();
+  if (!fs::is_directory(parent, error)) fail("cannot create the output folder", out.string(), parent.string() + " is not a folder");
+  if (::access(parent.c_str(), W_OK | X_OK) != 0) fail("cannot create the output folder", out.string(), reason(errno) + ": " + parent.string());
+}
+
+/// Replacing the folder would take along whatever else lies in it.
+void check_for_other_files(const fs::path& out) {
+  std::error_code error;
+  fs::directory_iterator entries(out, error);
+  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+    const fs::path& path = entries->path();
+    const bool known = std::find(result_files.begin(), result_files.end(), path.filename().string()) != result_files.end();
+    if (known && entries->symlink_status(error).type() == fs::file_type::regular) continue;
+    throw Error({"the output folder holds more than a result", {path.string()}, "replacing the result would remove this too",
+                 "move it elsewhere, or choose another folder with --out"});
+  }
+  if (error) fail("cannot read the output folder", out.string(), error.message());
+}
+
+void check(const fs::path& out, bool force) {
+  check_parent(out);
+  std::error_code error;
+  if (fs::is_symlink(out, error)) fail("cannot use the output folder", out.string(), "it is a symbolic link to nothing");
   const fs::file_status status = fs::status(out, error);
   if (status.type() == fs::file_type::not_found) return;
   if (error) fail("cannot use the output folder", out.string(), error.message());
@@ -79,6 +105,7 @@ void check(const fs::path& out, bool force) {
                  "it is not empty and holds no result of bumpsim",
                  "choose another folder with --out"});
   }
+  check_for_other_files(out);
   if (!force) {
     throw Error(
         {"the output folder holds an earlier result", {out.string()}, "", "replace it with --force, or choose another folder with --out"});
@@ -91,7 +118,7 @@ void check_output_folder(const std::string& out, bool force) {
   check(resolve(out), force);
 }
 
-PendingFolder::PendingFolder(const std::string& out, bool force) {
+PendingFolder::PendingFolder(const std::string& out, bool force) : force_(force) {
   const fs::path path = resolve(out);
   check(path, force);
   out_ = path.string();
@@ -122,6 +149,7 @@ PendingFolder::~PendingFolder() {
 
 void PendingFolder::write(const std::string& name, std::string_view bytes) {
   const std::string path = partial_ + "/" + name;
+  BUMP_ASSERT(std::find(result_files.begin(), result_files.end(), name) != result_files.end());
   const int index = partial_state.files;
   BUMP_ASSERT(index < static_cast<int>(partial_state.file.size()));
   copy_path(partial_state.file[static_cast<std::size_t>(index)], path);
@@ -142,6 +170,7 @@ void PendingFolder::write(const std::string& name, std::string_view bytes) {
 }
 
 void PendingFolder::commit() {
+  check(out_, force_);
   std::error_code error;
   const bool replace = fs::exists(out_, error) && !fs::is_empty(out_, error);
   if (replace && std::rename(out_.c_str(), replaced_.c_str()) != 0) fail("cannot replace the earlier result", out_, reason(errno));

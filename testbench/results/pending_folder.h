@@ -3,13 +3,19 @@
 // the folder is renamed into place when it is complete. Whatever happens before, an earlier result stays untouched and the partial folder
 // goes away: by the destructor, or from a signal handler by remove_partial_result().
 
+#include <array>
 #include <string>
 #include <string_view>
 
 namespace bump {
 
-/// Throws Error(input) if a result cannot be written to `out`: something else than a folder is in the way, the folder holds anything but a
-/// result of this program, or it holds one and `force` is not set. Creates nothing; call it before a long run.
+/// Every file that a result may consist of.
+inline constexpr std::array<std::string_view, 6> result_files = {"result.json", "config.resolved.toml", "stats.csv",
+                                                                 "frame.png",   "frame.exr",            "error.png"};
+
+/// Throws Error(input) if a result cannot be written to `out`: something else than a folder is in the way, the folder holds anything but
+/// the files of a result of this program, or it holds just these and `force` is not set; or the folder it would be made in is none or may
+/// not be written to. Creates nothing; call it before a long run.
 void check_output_folder(const std::string& out, bool force);
 
 class PendingFolder {
@@ -20,15 +26,15 @@ class PendingFolder {
   PendingFolder(const PendingFolder&) = delete;
   PendingFolder& operator=(const PendingFolder&) = delete;
 
-  /// Writes a new file. Throws Error(input) naming the file and the system's reason when the disk is full or anything else goes wrong.
+  /// Writes a new file, one of `result_files`. Throws Error(input) naming the file and the system's reason when the disk is full or anything else goes wrong.
   void write(const std::string& name, std::string_view bytes);
-  /// Moves the folder into place; an earlier result is removed only after that.
+  /// Moves the folder into place; an earlier result is removed only after that, and only if still nothing else has come into its folder.
   void commit();
   const std::string& partial_path() const { return partial_; }
 
  private:
   std::string out_, partial_, replaced_;
-  bool committed_ = false;
+  bool force_, committed_ = false;
 };
 
 /// Removes the partial folder of a write in progress, and puts back an earlier result that was about to be replaced. Does nothing when no

@@ -40,13 +40,18 @@ Json built(const Inventory& inventory) {
   return json;
 }
 
-/// Operations executed for each shaded fragment, additions included: operators times executions over fragments.
+/// Operations executed for each shaded fragment, additions included: operators times executions over fragments, the part of a vertex
+/// program that depends on the light once for every light.
 Json used_per_fragment(const UnitCost& unit, std::int64_t fragments) {
   if (fragments <= 0) return nullptr;
   Inventory all = unit.published;
   all += unit.addition;
   Json json = operators(all);
-  for (auto& value : json) value = value.get<double>() * static_cast<double>(unit.executions) / static_cast<double>(fragments);
+  const Json repeated = operators(unit.per_light);
+  for (auto& [name, value] : json.items()) {
+    const double once = value.get<double>() + repeated[name].get<double>() * (unit.lights - 1);
+    value = once * static_cast<double>(unit.executions) / static_cast<double>(fragments);
+  }
   return json;
 }
 
@@ -55,9 +60,9 @@ Json unit_json(const UnitCost& unit, std::int64_t fragments) {
           {"additional", built(unit.addition)},
           {"used_per_fragment", used_per_fragment(unit, fragments)},
           {"executions", unit.executions},
-          {"latency", unit.latency},
-          {"initiation_interval", unit.initiation_interval},
-          {"multipliers_after_sharing", unit.multipliers_built}};
+          {"latency", unit.pipeline ? Json(unit.pipeline->latency) : Json()},
+          {"initiation_interval", unit.pipeline ? Json(unit.pipeline->initiation_interval) : Json()},
+          {"multipliers_after_sharing", unit.pipeline ? Json(unit.pipeline->multipliers) : Json()}};
 }
 
 Json angular(const std::vector<AngularError>& errors) {
@@ -150,6 +155,8 @@ Json to_json(const RunReport& report) {
                       {"triangles_clipped", geometry.triangles_clipped},
                       {"triangles_culled", geometry.triangles_culled},
                       {"triangles_empty", geometry.triangles_empty},
+                      {"triangles_hidden", geometry.triangles_hidden},
+                      {"triangles_drawn", geometry.triangles_drawn},
                       {"fragments_generated", geometry.fragments_generated},
                       {"fragments_hidden", geometry.fragments_hidden},
                       {"fragments", geometry.fragments},

@@ -67,9 +67,10 @@ void add_unit(Rows& rows, const UnitCost& unit) {
     rows.add(start + "table_bits", inventory->table_bits, "bits");
   }
   rows.add("executions", unit.executions, "executions");
-  rows.add("latency", unit.latency, "cycles");
-  rows.add("initiation_interval", unit.initiation_interval, "cycles");
-  rows.add("multipliers_after_sharing", unit.multipliers_built, "operators");
+  if (!unit.pipeline) return;
+  rows.add("latency", unit.pipeline->latency, "cycles");
+  rows.add("initiation_interval", unit.pipeline->initiation_interval, "cycles");
+  rows.add("multipliers_after_sharing", unit.pipeline->multipliers, "operators");
 }
 
 void add_quality(Rows& rows, const std::string& name, const std::optional<Quality>& quality) {
@@ -143,6 +144,8 @@ std::vector<StatisticRow> statistic_rows(const RunReport& report) {
   rows.add("triangles_clipped", geometry.triangles_clipped, "triangles");
   rows.add("triangles_culled", geometry.triangles_culled, "triangles");
   rows.add("triangles_empty", geometry.triangles_empty, "triangles");
+  rows.add("triangles_hidden", geometry.triangles_hidden, "triangles");
+  rows.add("triangles_drawn", geometry.triangles_drawn, "triangles");
   rows.add("fragments_generated", geometry.fragments_generated, "fragments");
   rows.add("fragments_hidden", geometry.fragments_hidden, "fragments");
   rows.add("fragments", geometry.fragments, "fragments");

@@ -111,13 +111,13 @@ class Summary {
     line("  {:<18}{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>16}", "", "mult  ", "add  ", "div  ", "sqrt  ", "table  ", "map  ",
          "latency/interval");
     for (const UnitCost& unit : result_.units) {
-      const std::string timing = fmt::format("{} / {}", unit.latency, unit.initiation_interval);
+      const std::string timing = unit.pipeline ? fmt::format("{} / {}", unit.pipeline->latency, unit.pipeline->initiation_interval) : std::string("-");
       operator_line(unit.name, unit.published, published::table1_cell(report_.scheme->page().id, unit.name), timing);
       const Inventory& more = unit.addition;
       if (more.multipliers + more.adders + more.dividers + more.square_roots + more.tables + more.maps > 0)
         operator_line("  + beside them", more, nullptr, "");
-      if (unit.multipliers_built < unit.published.multipliers + more.multipliers)
-        line("    shared: {} multipliers in hardware", unit.multipliers_built);
+      if (unit.pipeline && unit.pipeline->multipliers < unit.published.multipliers + more.multipliers)
+        line("    shared: {} multipliers in hardware", unit.pipeline->multipliers);
     }
     text_ += notes_;
     line("  interpolated components besides u, v: {}", result_.interpolator_components);
@@ -197,7 +197,9 @@ class Summary {
   }
 
   void angle_line(const AngularError& error, const std::string& of) {
-    line("  {:<34}{:>10.3f}{:>9.3f}{:>9.3f}", error.vector + ", " + of, error.mean_degrees, error.rms_degrees, error.max_degrees);
+    const auto angle = [](double degrees) { return std::isnan(degrees) ? "-" : fmt::format("{:.3f}", degrees); };
+    line("  {:<34}{:>10}{:>9}{:>9}", error.vector + ", " + of, angle(error.mean_degrees), angle(error.rms_degrees),
+         angle(error.max_degrees));
   }
 
   void files() {

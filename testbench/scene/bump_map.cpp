@@ -89,8 +89,8 @@ Differences differences_of(const Texture& heights) {
 
 }  // namespace
 
-Texture colour_texture(const Image& image, const std::string& name, const Wrap& wrap, std::vector<std::string>& warnings) {
-  Texture texture = empty_texture(name, 3, image.bits == 8 ? 4 : 8, wrap, image.width, image.height);
+Texture colour_texture(const Image& image, const FileName& name, const Wrap& wrap, std::vector<std::string>& warnings) {
+  Texture texture = empty_texture(name.shown, 3, image.bits == 8 ? 4 : 8, wrap, image.width, image.height);
   auto& texels = texture.levels.front().texels;
   std::size_t clamped = 0;
   for (std::size_t i = 0; i < image.values.size(); i += static_cast<std::size_t>(image.channels)) {
@@ -100,7 +100,7 @@ Texture colour_texture(const Image& image, const std::string& name, const Wrap& 
       if (texels.back() != value) ++clamped;
     }
   }
-  if (clamped > 0) warnings.push_back("'" + name + "': " + std::to_string(clamped) + " colour values outside [0, 1] were clamped");
+  if (clamped > 0) warnings.push_back("'" + name.shown + "': " + std::to_string(clamped) + " colour values outside [0, 1] were clamped");
   build_mip_levels(texture);
   return texture;
 }
@@ -111,14 +111,14 @@ Texture constant_colour(double red, double green, double blue) {
   return texture;
 }
 
-Texture height_texture(const Image& image, const std::string& name, double scale, const Wrap& wrap, const Location& from,
+Texture height_texture(const Image& image, const FileName& name, double scale, const Wrap& wrap, const Location& from,
                        std::vector<std::string>& warnings) {
   if (looks_like_normal_map(image)) {
-    throw Error({"'" + name + "' looks like a normal map", from, "nearly all of its texels are unit vectors coded as colours",
+    throw Error({"'" + name.path + "' looks like a normal map", from, "nearly all of its texels are unit vectors coded as colours",
                  "normal = \"...\" instead of height"});
   }
-  if (!is_grey(image)) warnings.push_back("'" + name + "' is a height map in colour: the mean of red, green and blue is used");
-  Texture texture = empty_texture(name, 1, image.bits / 8, wrap, image.width, image.height);
+  if (!is_grey(image)) warnings.push_back("'" + name.shown + "' is a height map in colour: the mean of red, green and blue is used");
+  Texture texture = empty_texture(name.shown, 1, image.bits / 8, wrap, image.width, image.height);
   const std::size_t channels = static_cast<std::size_t>(image.channels);
   for (std::size_t i = 0; i < image.values.size(); i += channels) {
     const double value = channels == 1 ? image.values[i] : (image.values[i] + image.values[i + 1] + image.values[i + 2]) / 3;
@@ -144,13 +144,14 @@ Texture normals_from_heights(const Texture& heights) {
   return normals;
 }
 
-Texture normals_from_map(const Image& image, const std::string& name, bool green_down, const Wrap& wrap, const Location& from,
-                         std::vector<std::string>& warnings) {
+Texture normals_from_map(const Image& image, const FileName& name, bool green_down, const Wrap& wrap, const Location& from,
+                         std::vector<std::string>& warnings, NamedBy named_by) {
+  const bool by_scene = named_by == NamedBy::scene;
   if (is_grey(image)) {
-    throw Error({"'" + name + "' is grey and cannot be a normal map", from, "a normal needs three different channels",
-                 "height = \"...\" instead of normal"});
+    throw Error({"'" + name.path + "' is grey and cannot be a normal map", from, "a normal needs three different channels",
+                 by_scene ? "height = \"...\" instead of normal" : "map_Bump instead of norm"});
   }
-  Texture normals = empty_texture(name, 3, 4, wrap, image.width, image.height);
+  Texture normals = empty_texture(name.shown, 3, 4, wrap, image.width, image.height);
   auto& texels = normals.levels.front().texels;
   std::size_t inward = 0, without_length = 0;
   double sum = 0, squares = 0;
@@ -171,16 +172,20 @@ Texture normals_from_map(const Image& image, const std::string& name, bool green
   const double count = static_cast<double>(image.values.size()) / 3;
   const double mean = sum / count, deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
   if (std::abs(mean - 1) > 0.01 || deviation > 0.01) {
-    warnings.push_back("'" + name + "': normals have mean length " + rounded(mean) + ", standard deviation " + rounded(deviation) +
+    warnings.push_back("'" + name.shown + "': normals have mean length " + rounded(mean) + ", standard deviation " + rounded(deviation) +
                        "; made unit");
   }
-  if (without_length > 0) warnings.push_back("'" + name + "': " + std::to_string(without_length) + " normals without length became flat");
-  if (inward > 0) warnings.push_back("'" + name + "': " + std::to_string(inward) + " normals point into the surface; kept as they are");
+  if (without_length > 0) warnings.push_back("'" + name.shown + "': " + std::to_string(without_length) + " normals without length became flat");
+  if (inward > 0) warnings.push_back("'" + name.shown + "': " + std::to_string(inward) + " normals point into the surface; kept as they are");
   build_normal_levels(normals);
   const double agreement = integrability(normals);
   if (agreement < -0.2) {
-    warnings.push_back("'" + name + "': no relief has these slopes (correlation " + rounded(agreement) + "), green seems to point " +
-                       (green_down ? "up" : "down") + "; try green = \"" + (green_down ? "up" : "down") + "\"");
+    const std::string green = green_down ? "up" : "down", advice = "green = \"" + green + "\"";
+    warnings.push_back("'" + name.shown + "': no relief has these slopes (correlation " + rounded(agreement) +
+                       "), green seems to point " + green + "; try " +
+                       (by_scene ? advice
+                                 : "a scene file with [[object]], shape = \"mesh\", mesh, normal and " + advice +
+                                       " (see scenes/README.md), since a material library cannot say so"));
   }
   return normals;
 }

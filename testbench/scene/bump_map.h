@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "memory/texture.h"
+#include "testbench/scene/file_name.h"
 #include "testbench/scene/image.h"
 
 namespace bump {
@@ -16,14 +17,19 @@ struct Wrap {
   WrapMode u = WrapMode::repeat, v = WrapMode::repeat;
 };
 
+/// Who names a map: what a scene can mend with a key, a material library cannot.
+enum class NamedBy { scene, material_library };
+
+// `name`: errors give its path; warnings and the texture give the name it is shown under.
+
 /// Three channels in [0, 1]; grey is repeated. Values outside are clamped with a warning. 4 bytes a texel (8 of deeper pictures).
-Texture colour_texture(const Image& image, const std::string& name, const Wrap& wrap, std::vector<std::string>& warnings);
+Texture colour_texture(const Image& image, const FileName& name, const Wrap& wrap, std::vector<std::string>& warnings);
 /// One texel of one colour.
 Texture constant_colour(double red, double green, double blue);
 
 /// One channel: the stored value times `scale`, in texels of level 0. Of a colour picture the mean of its channels is taken, with a
 /// warning. Throws Error(input) at `from` if it looks like a normal map.
-Texture height_texture(const Image& image, const std::string& name, double scale, const Wrap& wrap, const Location& from,
+Texture height_texture(const Image& image, const FileName& name, double scale, const Wrap& wrap, const Location& from,
                        std::vector<std::string>& warnings);
 
 /// n = normalize(-dh/dx, -dh/dy, 1), x along u, y along v, central differences with the texture's wrap modes (at a clamped border the
@@ -33,8 +39,8 @@ Texture normals_from_heights(const Texture& heights);
 /// n = 2c - 1, made unit. `green_down`: the map's green points along falling v (DirectX's habit). Warns when the mean length is more than 1
 /// % off or scatters by more than 1 % (with both measured), when texels point inwards (kept), have no length (they become flat), or when
 /// the slopes contradict the green direction. Throws Error(input) at `from` if the picture is grey.
-Texture normals_from_map(const Image& image, const std::string& name, bool green_down, const Wrap& wrap, const Location& from,
-                         std::vector<std::string>& warnings);
+Texture normals_from_map(const Image& image, const FileName& name, bool green_down, const Wrap& wrap, const Location& from,
+                         std::vector<std::string>& warnings, NamedBy named_by = NamedBy::scene);
 
 /// A flat map: one texel, +z.
 Texture flat_normals();

@@ -51,18 +51,11 @@ std::string read_bytes(const std::string& path, const std::string& what, const L
   return bytes;
 }
 
-std::string InputFiles::read(const std::string& path, const std::string& what, const Location& from) {
-  std::string bytes = read_bytes(path, what, from);
-  const bool listed = std::any_of(list_.begin(), list_.end(), [&](const auto& file) { return file.path == path; });
-  if (!listed) list_.push_back({path, sha256_hex(bytes.data(), bytes.size())});
+std::string InputFiles::read(const FileName& name, const std::string& what, const Location& from) {
+  std::string bytes = read_bytes(name.path, what, from);
+  const bool listed = std::any_of(list_.begin(), list_.end(), [&](const auto& file) { return file.path == name.shown; });
+  if (!listed) list_.push_back({name.shown, sha256_hex(bytes.data(), bytes.size())});
   return bytes;
-}
-
-std::string path_beside(const std::string& referring_file, const std::string& name) {
-  std::string portable = name;
-  std::replace(portable.begin(), portable.end(), '\\', '/');
-  const fs::path path(portable);
-  return (path.is_absolute() ? path : fs::path(referring_file).parent_path() / path).lexically_normal().string();
 }
 
 }  // namespace bump

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "datapath/error.h"
+#include "testbench/scene/file_name.h"
 #include "units/scene.h"
 
 namespace bump {
@@ -17,15 +18,12 @@ std::string read_bytes(const std::string& path, const std::string& what, const L
 
 class InputFiles {
  public:
-  /// Like read_bytes, and lists the file.
-  std::string read(const std::string& path, const std::string& what, const Location& from = {});
+  /// Like read_bytes, and lists the file under the name that results show.
+  std::string read(const FileName& name, const std::string& what, const Location& from = {});
   const std::vector<Scene::InputFile>& list() const { return list_; }
 
  private:
   std::vector<Scene::InputFile> list_;
 };
-
-/// `name` relative to the folder of `referring_file` unless it is absolute; backslashes (from other systems) become slashes.
-std::string path_beside(const std::string& referring_file, const std::string& name);
 
 }  // namespace bump

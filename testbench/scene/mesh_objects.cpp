@@ -1,6 +1,7 @@
 #include "testbench/scene/mesh_objects.h"
 
 #include <filesystem>
+#include <optional>
 
 #include "testbench/scene/material_library.h"
 #include "testbench/scene/obj_file.h"
@@ -14,7 +15,7 @@ namespace {
 
 struct FoundMaterial {
   LibraryMaterial material;
-  std::string library;  ///< its file: maps are relative to it
+  FileName library;  ///< maps are relative to it
 };
 
 bool is_file(const std::string& path) {
@@ -22,13 +23,14 @@ bool is_file(const std::string& path) {
   return fs::is_regular_file(path, error);
 }
 
-std::map<std::string, FoundMaterial> read_libraries(const ObjModel& model, const std::string& path, InputFiles& files,
+std::map<std::string, FoundMaterial> read_libraries(const ObjModel& model, const FileName& mesh, InputFiles& files,
                                                     std::vector<std::string>& warnings) {
   std::map<std::string, FoundMaterial> found;
   for (const auto& library : model.libraries) {
-    const std::string file = path_beside(path, library.name);
-    if (!is_file(file)) {
-      warnings.push_back(to_string(library.where) + ": material library '" + file + "' does not exist; its materials are neutral grey");
+    const FileName file = file_beside(mesh, library.name);
+    if (!is_file(file.path)) {
+      const Location where(mesh.shown, library.where.line);
+      warnings.push_back(to_string(where) + ": material library '" + file.shown + "' does not exist; its materials are neutral grey");
       continue;
     }
     for (const auto& [name, material] : parse_material_library(files.read(file, "material library", library.where), file, warnings)) {
@@ -38,33 +40,33 @@ std::map<std::string, FoundMaterial> read_libraries(const ObjModel& model, const
   return found;
 }
 
-/// The file of a map, "" (and a warning) if it is missing.
-std::string map_file(const FoundMaterial& found, const std::string& map, const std::string& material, std::vector<std::string>& warnings) {
-  if (map.empty()) return "";
-  const std::string file = path_beside(found.library, map);
-  if (is_file(file)) return file;
-  warnings.push_back("'" + found.library + "': texture '" + file + "' of material '" + material + "' does not exist; it is left out");
-  return "";
+/// The file of a map, none (and a warning) if it is missing.
+std::optional<FileName> map_file(const FoundMaterial& found, const std::string& map, const std::string& material, std::vector<std::string>& warnings) {
+  if (map.empty()) return std::nullopt;
+  const FileName file = file_beside(found.library, map);
+  if (is_file(file.path)) return file;
+  warnings.push_back("'" + found.library.shown + "': texture '" + file.shown + "' of material '" + material + "' does not exist; it is left out");
+  return std::nullopt;
 }
 
 void apply_material(const FoundMaterial& found, const std::string& name, const MeshSurface& given, TextureStore& textures,
                     std::vector<std::string>& warnings, SceneObject& object) {
-  const Location from{found.library, 0, 0};
+  const Location from(found.library.path);
   const LibraryMaterial& material = found.material;
   if (!object.colour) {
-    const std::string map = map_file(found, material.colour_map, name, warnings);
-    if (map.empty()) {
+    const auto map = map_file(found, material.colour_map, name, warnings);
+    if (!map) {
       object.colour = std::make_shared<const Texture>(constant_colour(material.colour.r, material.colour.g, material.colour.b));
     } else {
-      object.colour = textures.colour(map, given.wrap, from);
+      object.colour = textures.colour(*map, given.wrap, from);
     }
   }
   if (object.normals) return;
   BumpTextures bump;
-  if (const std::string normals = map_file(found, material.normal_map, name, warnings); !normals.empty()) {
-    bump = textures.from_normals(normals, false, given.wrap, from);
-  } else if (const std::string map = map_file(found, material.bump_map, name, warnings); !map.empty()) {
-    bump = textures.from_either(map, default_bump_scale * material.bump_multiplier, given.wrap, from);
+  if (const auto normals = map_file(found, material.normal_map, name, warnings)) {
+    bump = textures.from_normals(*normals, false, given.wrap, from, NamedBy::material_library);
+  } else if (const auto map = map_file(found, material.bump_map, name, warnings)) {
+    bump = textures.from_either(*map, default_bump_scale * material.bump_multiplier, given.wrap, from);
   }
   object.normals = bump.normals;
   object.heights = bump.heights;
@@ -89,8 +91,9 @@ std::string suffix_of(const std::string& path) {
   return suffix;
 }
 
-std::vector<SceneObject> objects_from_mesh(const std::string& path, const Location& from, const std::string& name, const MeshSurface& given,
+std::vector<SceneObject> objects_from_mesh(const FileName& file, const Location& from, const std::string& name, const MeshSurface& given,
                                            InputFiles& files, TextureStore& textures, std::vector<std::string>& warnings) {
+  const std::string& path = file.path;
   const std::string suffix = suffix_of(path);
   const Location where = from.file.empty() ? Location{path, 0, 0} : from;
   if (suffix == ".gltf" || suffix == ".glb") {
@@ -100,11 +103,11 @@ std::vector<SceneObject> objects_from_mesh(const std::string& path, const Locati
   if (suffix != ".obj")
     throw Error({"mesh '" + path + "' is of no known format", where, "meshes are read from Wavefront OBJ files", "export it as .obj"});
 
-  const std::string text = files.read(path, "mesh", from);
+  const std::string text = files.read(file, "mesh", from);
   const bool complete = given.colour && given.bump.normals;
-  ObjModel model = build_obj(text, path, !complete, warnings);
+  ObjModel model = build_obj(text, file, !complete, warnings);
   std::map<std::string, FoundMaterial> materials;
-  if (!complete) materials = read_libraries(model, path, files, warnings);
+  if (!complete) materials = read_libraries(model, file, files, warnings);
 
   std::vector<SceneObject> objects;
   for (MeshPart& part : model.parts) {
@@ -119,7 +122,7 @@ std::vector<SceneObject> objects_from_mesh(const std::string& path, const Locati
     if (found != materials.end()) {
       apply_material(found->second, part.material, given, textures, warnings, object);
     } else if (!complete && !part.material.empty() && !model.libraries.empty() && !materials.empty()) {
-      warnings.push_back("'" + path + "': no library describes material '" + part.material + "'; it is neutral grey");
+      warnings.push_back("'" + file.shown + "': no library describes material '" + part.material + "'; it is neutral grey");
     }
     fill_gaps(given, object);
     objects.push_back(std::move(object));

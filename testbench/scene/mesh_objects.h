@@ -23,9 +23,9 @@ struct MeshSurface {
 /// Height of 1.0 in texels where nothing else is said.
 constexpr double default_bump_scale = 2;
 
-/// `path` is an OBJ file; `from` the place that refers to it. Objects are called `name`, or "name/material" if there are several. Throws
+/// `file` is an OBJ file; `from` the place that refers to it. Objects are called `name`, or "name/material" if there are several. Throws
 /// Error(input): see build_obj(), and for glTF and other mesh formats. Missing libraries and maps are warnings that name them.
-std::vector<SceneObject> objects_from_mesh(const std::string& path, const Location& from, const std::string& name, const MeshSurface& given,
+std::vector<SceneObject> objects_from_mesh(const FileName& file, const Location& from, const std::string& name, const MeshSurface& given,
                                            InputFiles& files, TextureStore& textures, std::vector<std::string>& warnings);
 
 /// The suffix in lower case, with its dot.

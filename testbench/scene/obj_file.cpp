@@ -21,7 +21,7 @@ struct Triangle {
 
 class ObjBuilder {
  public:
-  ObjBuilder(ObjText text, std::string file, std::vector<std::string>& warnings)
+  ObjBuilder(ObjText text, FileName file, std::vector<std::string>& warnings)
       : obj_(std::move(text)), file_(std::move(file)), warnings_(warnings) {}
 
   ObjModel build(bool split) {
@@ -46,7 +46,7 @@ class ObjBuilder {
   }
 
  private:
-  void warn(const std::string& text) { warnings_.push_back("'" + file_ + "': " + text); }
+  void warn(const std::string& text) { warnings_.push_back("'" + file_.shown + "': " + text); }
   const glm::dvec3& position(const ObjCorner& corner) const { return obj_.positions[static_cast<std::size_t>(corner.position)]; }
 
   bool has_area(const Triangle& triangle) const {
@@ -73,7 +73,7 @@ class ObjBuilder {
       }
     }
     if (triangles_.empty())
-      throw Error({"mesh '" + file_ + "' has no triangle with any area", {file_, first_line, 0}, "all were dropped", "re-export the mesh"});
+      throw Error({"mesh '" + file_.path + "' has no triangle with any area", {file_.path, first_line, 0}, "all were dropped", "re-export the mesh"});
     if (dropped > 0)
       warn(std::to_string(dropped) + " triangles without area were dropped, the first in line " + std::to_string(first_line));
   }
@@ -184,7 +184,7 @@ class ObjBuilder {
   }
 
   ObjText obj_;
-  std::string file_;
+  FileName file_;
   std::vector<std::string>& warnings_;
   std::vector<Triangle> triangles_;
   glm::dvec3 low_{0}, high_{0};
@@ -192,8 +192,8 @@ class ObjBuilder {
 
 }  // namespace
 
-ObjModel build_obj(const std::string& text, const std::string& file, bool split, std::vector<std::string>& warnings) {
-  return ObjBuilder(parse_obj(text, file), file, warnings).build(split);
+ObjModel build_obj(const std::string& text, const FileName& file, bool split, std::vector<std::string>& warnings) {
+  return ObjBuilder(parse_obj(text, file.path), file, warnings).build(split);
 }
 
 Mesh load_obj(const std::string& path, std::vector<std::string>& warnings) {

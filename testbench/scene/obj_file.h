@@ -23,7 +23,7 @@ struct ObjModel {
 /// `text` is the content of `file`. `split`: one part for each material, otherwise one part in all. Throws Error(input): see parse_obj(),
 /// and if no triangle has any area. Warns about dropped triangles without area, triangles turned round because their normals say so,
 /// normals without length, and texture coordinates that had to be projected.
-ObjModel build_obj(const std::string& text, const std::string& file, bool split, std::vector<std::string>& warnings);
+ObjModel build_obj(const std::string& text, const FileName& file, bool split, std::vector<std::string>& warnings);
 
 /// Reads `path` as one mesh; otherwise like build_obj().
 Mesh load_obj(const std::string& path, std::vector<std::string>& warnings);

@@ -114,7 +114,7 @@ Wrap read_wrap(const StrictTable& table, const std::string& shape) {
   return {mode(words.first), mode(words.second)};
 }
 
-std::shared_ptr<const Texture> read_colour(const StrictTable& table, const std::string& scene_file, const Wrap& wrap,
+std::shared_ptr<const Texture> read_colour(const StrictTable& table, const FileName& scene_file, const Wrap& wrap,
                                            TextureStore& textures) {
   const TomlValue* value = table.find("colour");
   if (value == nullptr) return nullptr;
@@ -124,10 +124,10 @@ std::shared_ptr<const Texture> read_colour(const StrictTable& table, const std::
   }
   if (value->kind != TomlValue::Kind::text)
     table.reject("colour", "cannot be " + kind_name(value->kind), "it is a picture or [red, green, blue]", "colour = [0.8, 0.8, 0.8]");
-  return textures.colour(path_beside(scene_file, table.text("colour")), wrap, table.where("colour"));
+  return textures.colour(file_beside(scene_file, table.text("colour")), wrap, table.where("colour"));
 }
 
-BumpTextures read_bump(const StrictTable& table, const std::string& scene_file, const Wrap& wrap, TextureStore& textures) {
+BumpTextures read_bump(const StrictTable& table, const FileName& scene_file, const Wrap& wrap, TextureStore& textures) {
   const bool has_normals = table.has("normal"), has_heights = table.has("height");
   if (table.has("green") && !has_normals)
     table.reject("green", "means nothing without a normal map", "it says where the map's green channel points", "normal = \"...\"");
@@ -137,18 +137,18 @@ BumpTextures read_bump(const StrictTable& table, const std::string& scene_file, 
   }
   if (has_normals) {
     const bool green_down = table.word("green", {"up", "down"}) == "down";
-    BumpTextures bump = textures.from_normals(path_beside(scene_file, table.text("normal")), green_down, wrap, table.where("normal"));
-    if (has_heights) textures.compare(*bump.normals, path_beside(scene_file, table.text("height")), table.where("height"));
+    BumpTextures bump = textures.from_normals(file_beside(scene_file, table.text("normal")), green_down, wrap, table.where("normal"));
+    if (has_heights) textures.compare(*bump.normals, file_beside(scene_file, table.text("height")), table.where("height"));
     return bump;
   }
   if (!has_heights) return {};
   const double scale = table.number("bump_scale", default_bump_scale, -1000, 1000);
-  return textures.from_heights(path_beside(scene_file, table.text("height")), scale, wrap, table.where("height"));
+  return textures.from_heights(file_beside(scene_file, table.text("height")), scale, wrap, table.where("height"));
 }
 
 }  // namespace
 
-void read_object(const TomlValue& value, const std::string& scene_file, InputFiles& files, TextureStore& textures, Scene& scene) {
+void read_object(const TomlValue& value, const FileName& scene_file, InputFiles& files, TextureStore& textures, Scene& scene) {
   const StrictTable table(value, "object",
                           {"name", "shape", "mesh", "size", "radius", "tube", "tessellation", "translate", "rotate", "scale", "colour",
                            "height", "bump_scale", "normal", "green", "wrap", "uv_scale", "material"});
@@ -173,7 +173,7 @@ void read_object(const TomlValue& value, const std::string& scene_file, InputFil
   std::vector<SceneObject> objects;
   if (shape == "mesh") {
     objects =
-        objects_from_mesh(path_beside(scene_file, table.text("mesh")), table.where("mesh"), name, surface, files, textures, scene.warnings);
+        objects_from_mesh(file_beside(scene_file, table.text("mesh")), table.where("mesh"), name, surface, files, textures, scene.warnings);
   } else {
     Mesh mesh = make_shape(table, shape);
     if (surface.u_scale != 1 || surface.v_scale != 1) scale_texture(mesh, surface.u_scale, surface.v_scale);

@@ -13,6 +13,6 @@ namespace bump {
 
 /// Appends the objects of one [[object]] table to `scene.objects` (a mesh with several materials gives several). `scene_file`: textures and
 /// meshes are relative to its folder. Throws Error(input).
-void read_object(const TomlValue& table, const std::string& scene_file, InputFiles& files, TextureStore& textures, Scene& scene);
+void read_object(const TomlValue& table, const FileName& scene_file, InputFiles& files, TextureStore& textures, Scene& scene);
 
 }  // namespace bump

@@ -22,16 +22,17 @@ class TextureStore {
   TextureStore(InputFiles& files, std::vector<std::string>& warnings) : files_(files), warnings_(warnings) {}
 
   // `from` is the place that refers to the file. All throw Error(input): see decode_image() and bump_map.h.
-  std::shared_ptr<const Texture> colour(const std::string& path, const Wrap& wrap, const Location& from);
-  BumpTextures from_heights(const std::string& path, double scale, const Wrap& wrap, const Location& from);
-  BumpTextures from_normals(const std::string& path, bool green_down, const Wrap& wrap, const Location& from);
-  /// Heights or normals, judged by content: material libraries name both "bump".
-  BumpTextures from_either(const std::string& path, double scale, const Wrap& wrap, const Location& from);
+  std::shared_ptr<const Texture> colour(const FileName& file, const Wrap& wrap, const Location& from);
+  BumpTextures from_heights(const FileName& file, double scale, const Wrap& wrap, const Location& from);
+  BumpTextures from_normals(const FileName& file, bool green_down, const Wrap& wrap, const Location& from,
+                            NamedBy named_by = NamedBy::scene);
+  /// Heights or normals, judged by content: material libraries, which this is for, name both "bump".
+  BumpTextures from_either(const FileName& file, double scale, const Wrap& wrap, const Location& from);
   /// Warns if the green channel of a normal map contradicts the height map that comes with it.
-  void compare(const Texture& normals, const std::string& height_path, const Location& from);
+  void compare(const Texture& normals, const FileName& height_file, const Location& from);
 
  private:
-  const Image& image(const std::string& path, const Location& from);
+  const Image& image(const FileName& file, const Location& from);
 
   InputFiles& files_;
   std::vector<std::string>& warnings_;

@@ -32,14 +32,14 @@ PolarFormats vertex_polar_formats() {
   return f;
 }
 
-PolarFormats pixel_polar_formats(int component_bits, int address_bits, int angle_bits) {
+PolarFormats pixel_polar_formats(int component_bits, int address_bits, int angle_bits, const std::string& table) {
   const int fraction = component_bits - 1;
   PolarFormats f;
   f.magnitude = ufixed(component_bits, fraction);
   f.difference = sfixed(component_bits + 1, fraction);
   f.ratio = ufixed(component_bits + 1, component_bits);
   f.angle = turns(angle_bits);
-  f.octant = octant_table("ATAN_OCTANT", ufixed(component_bits, component_bits), address_bits, uangle(angle_bits - 2, angle_bits));
+  f.octant = octant_table(table, ufixed(component_bits, component_bits), address_bits, uangle(angle_bits - 2, angle_bits));
   f.smallest = std::ldexp(1.0, -fraction);
   f.square = ufixed(2 * component_bits, 2 * fraction);
   return f;

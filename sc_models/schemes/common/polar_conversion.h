@@ -24,8 +24,9 @@ struct PolarFormats {
 /// Double precision, for vertex programs.
 PolarFormats vertex_polar_formats();
 /// Fixed point for vectors in sfixed(component_bits, component_bits - 1): angles in turns(angle_bits) from a table of 2^address_bits words.
-/// The words are rounded to the angle's last place and reflections are exact, so no rounding is left over.
-PolarFormats pixel_polar_formats(int component_bits, int address_bits, int angle_bits);
+/// `table` names the ROM, as formats differ from unit to unit. The words are rounded to the angle's last place and reflections are exact,
+/// so no rounding is left over.
+PolarFormats pixel_polar_formats(int component_bits, int address_bits, int angle_bits, const std::string& table = "ATAN_OCTANT");
 
 /// The angle of (x, y) in turns, in [-1/2, 1/2): 1 divider, 3 adders (a comparison, two reflections), 1 table. `y_is_positive` omits the
 /// sign logic of y.

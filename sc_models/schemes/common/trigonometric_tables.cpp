@@ -48,9 +48,26 @@ TablePtr sine_cosine_table(const std::string& name, const Format& index, int add
   return std::make_shared<const Table>(table);
 }
 
+TablePtr sine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
+  Table table = quarter_table(name, "sin 2 pi x", index, address_bits);
+  table.columns = {sine_column(word_bits)};
+  return std::make_shared<const Table>(table);
+}
+
 TablePtr cosine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
   Table table = quarter_table(name, "cos 2 pi x", index, address_bits);
   table.columns = {cosine_column(word_bits)};
+  return std::make_shared<const Table>(table);
+}
+
+TablePtr cosine_half_squared_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
+  Table table = quarter_table(name, "cos^2(2 pi x / 2)", index, address_bits);
+  table.folding = Folding::magnitude;
+  Column column;
+  column.name = "value";
+  column.function = [](double turns) { return 0.5 + 0.5 * std::cos(two_pi * turns); };
+  column.format = ufixed(word_bits, word_bits);
+  table.columns = {column};
   return std::make_shared<const Table>(table);
 }
 

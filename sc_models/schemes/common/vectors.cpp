@@ -55,6 +55,16 @@ Wire dot_product(Netlist& n, const std::string& name, const VectorWires& a, cons
   return n.add(name, n.add(name + "_xy", x, y, sum, equation), z, sum, equation);
 }
 
+VectorWires cross_product(Netlist& n, const std::string& name, const VectorWires& a, const VectorWires& b, const Format& product,
+                          const Format& difference, const std::string& equation) {
+  const Netlist::Scope scope(n, name);
+  const auto minor = [&](const std::string& component, Wire a1, Wire b2, Wire a2, Wire b1) {
+    const Wire first = n.mul(component + "_1", a1, b2, product, equation), second = n.mul(component + "_2", a2, b1, product, equation);
+    return n.sub(component, first, second, difference, equation);
+  };
+  return {minor("x", a.y, b.z, a.z, b.y), minor("y", a.z, b.x, a.x, b.z), minor("z", a.x, b.y, a.y, b.x)};
+}
+
 VectorWires sum_of_vectors(Netlist& n, const std::string& name, const VectorWires& a, const VectorWires& b, const Format& format) {
   const Netlist::Scope scope(n, name);
   return {n.add("x", a.x, b.x, format), n.add("y", a.y, b.y, format), n.add("z", a.z, b.z, format)};

@@ -21,6 +21,10 @@ void output_vector(Netlist& netlist, const std::string& name, const VectorWires&
 Wire dot_product(Netlist& netlist, const std::string& name, const VectorWires& a, const VectorWires& b, const Format& product,
                  const Format& sum, const std::string& equation = "");
 
+/// a x b: 6 multipliers, 3 adders.
+VectorWires cross_product(Netlist& netlist, const std::string& name, const VectorWires& a, const VectorWires& b, const Format& product,
+                          const Format& difference, const std::string& equation = "");
+
 /// Component by component: 3 adders.
 VectorWires sum_of_vectors(Netlist& netlist, const std::string& name, const VectorWires& a, const VectorWires& b, const Format& format);
 

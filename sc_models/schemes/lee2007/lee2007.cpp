@@ -1,32 +1,15 @@
 // The scheme of Lee et al. 2007 as one Design: see README.md of this folder.
 
-#include <algorithm>
-#include <cmath>
-
-#include "schemes/lee2007/illumination.h"
+#include "schemes/common/law_of_cosines.h"
+#include "schemes/common/polar_map.h"
+#include "schemes/common/polar_vectors.h"
 #include "schemes/lee2007/lee_parameters.h"
-#include "schemes/lee2007/polar_vectors.h"
 #include "schemes/lee2007/rotation.h"
 #include "schemes/scheme.h"
 
 namespace bump::lee2007 {
 
 namespace {
-
-constexpr double two_pi = 6.283185307179586476925;
-
-BumpEncoding polar_map(const LeeParameters& p) {
-  BumpEncoding map;
-  map.channels = {{"phi", p.texel_phi(), ChannelKind::angle}, {"theta", p.texel_theta(), ChannelKind::linear}};
-  map.encode = [](const glm::dvec3& normal, double* channels) {
-    channels[0] = normal.x == 0 && normal.y == 0 ? 0.0 : std::atan2(normal.y, normal.x) / two_pi;
-    channels[1] = std::atan2(std::hypot(normal.x, normal.y), normal.z) / two_pi;
-  };
-  map.filterable = p.linear_filter;
-  map.note = p.linear_filter ? "filtered as two angles: speckles where a texel is flat, since phi is undefined there"
-                             : "nearest texel: phi wraps and is undefined on flat texels, so (phi, theta) does not filter";
-  return map;
-}
 
 class Lee2007 : public Scheme {
  public:
@@ -36,7 +19,8 @@ class Lee2007 : public Scheme {
                                  "reconstruction from the equations, with the sign corrections that they need",
                                  "L and H are turned into the reference space by two rotations on polar angles, through tables and 3 "
                                  "multipliers a vector; dot products follow "
-                                 "from the law of cosines. The rotation is approximate: up to 60 degrees off, 16 on average. The in-plane "
+                                 "from the law of cosines. The rotation is approximate: 16 degrees off on average and up to 60 for random vectors within 90 degrees of N; "
+                                 "angles interpolated across the polar axis add to that. The in-plane "
                                  "angle that general meshes need "
                                  "is an addition to the paper, one adder."};
     return page;
@@ -47,14 +31,15 @@ class Lee2007 : public Scheme {
   Design design(const Configuration& configuration, const Material& material) const override {
     const LeeParameters p = read_parameters(configuration);
     Design design;
-    record_polar_vectors(p, design);
+    record_polar_vectors(p, NormalAs::angles, design);
     design.environment = environment_unit(p);
-    design.illumination = illumination_unit(p, material);
+    design.illumination = law_of_cosines_unit({p.form, p.word_bits, p.table_bits, p.light_table_bits}, p, material);
     design.map = polar_map(p);
     using Of = DeliveredDirection::Of;
     design.directions = {{Of::light, DeliveredDirection::Frame::polar, {"L_ref.phi", "L_ref.theta"}},
                          {Of::half, DeliveredDirection::Frame::polar, {"H_ref.phi", "H_ref.theta"}}};
     design.quantisation_floor_db = quantisation_floor_db(p, material);
+    if (p.hemisphere_bit && !p.exact_x_prime) design.jumps = {"L.below_equator", "H.below_equator"};
     return design;
   }
 };

@@ -4,14 +4,12 @@
 
 #include "channels/parameters.h"
 #include "datapath/format.h"
+#include "schemes/common/polar_settings.h"
 #include "units/scene.h"
 
 namespace bump::lee2007 {
 
-enum class Angles { vertex, pixel };
-enum class InPlane { none, face, pixel };
-
-struct LeeParameters {
+struct LeeParameters : PolarSettings {
   int form = 11;               ///< adders of the illumination unit: 11 (Table 1) or 13 (section 5.2)
   bool half_xy = false;        ///< X, Y halved as Eqs 5-6 print them
   bool exact_eq16 = false;     ///< theta' on the sphere instead of the linear Eq 16
@@ -19,22 +17,12 @@ struct LeeParameters {
   bool abs_fix = true;         ///< |y| and |Z| in Eq 16
   bool quadrant_fix = true;    ///< arc tangent over the full turn
   bool hemisphere_bit = true;  ///< theta_x unfolded by the sign of cos theta_A
-  int angle_bits = 10;         ///< a: bits of a turn in the angles that arrive
   int table_bits = 8;          ///< k: address bits of a quarter turn of sine, cosine and reciprocal
-  int inverse_table_bits = 8;  ///< ki: address bits of arc sine, arc tangent and proportion
   int word_bits = 16;          ///< w: bits of a table word
   int light_table_bits = 10;   ///< address bits of the light tables
-  int texel_phi_bits = 8, texel_theta_bits = 8;
-  bool linear_filter = false;  ///< filter (phi, theta) texels instead of taking the nearest
-  Angles angles = Angles::vertex;
-  InPlane frame = InPlane::pixel;
-  bool mirror = false;  ///< one flag a triangle for mirrored texture charts
 
-  Format input_angle() const { return turns(angle_bits); }
   /// Angles inside the datapath: a table word resolves a quarter turn.
   Format inner_angle() const { return turns(word_bits + 2); }
-  Format texel_phi() const { return turns(texel_phi_bits); }
-  Format texel_theta() const { return uangle(texel_theta_bits, texel_theta_bits + 2); }
 };
 
 void declare_parameters(Parameters& parameters);

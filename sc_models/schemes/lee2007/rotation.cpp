@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "schemes/common/polar_map.h"
 #include "schemes/lee2007/tables.h"
 
 namespace bump::lee2007 {
@@ -171,6 +172,7 @@ Netlist environment_unit(const LeeParameters& p) {
     n.output(name + "_ref.phi", rotated.phi);
     n.output(name + "_ref.theta", rotated.theta);
   }
+  output_map_angles(n, p);
   return n;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schemes/common/inverse_tables.h"
 #include "schemes/common/trigonometric_tables.h"
 
 namespace bump::lee2007 {
@@ -44,15 +45,6 @@ double half_over(double x) {
   return std::min(largest_reciprocal, 0.5 / std::max(std::abs(x), 0.1 / largest_reciprocal));
 }
 
-TablePtr arc_sine_table(const LeeParameters& p) {
-  Table table = make_table("ASIN", "asin(x) / 2 pi", half_sum_format(p), Folding::magnitude, p.inverse_table_bits);
-  Column column = make_column(
-      "angle", [](double x) { return std::asin(std::clamp(x, -1.0, 1.0)) / two_pi; }, arc_format(p));
-  column.symmetry.odd_about_zero = true;
-  table.columns = {column};
-  return share(table);
-}
-
 /// Magnitudes only: the signs of sin Z and cos Z are the top bits of Z.
 TablePtr reciprocal_table(const LeeParameters& p) {
   Table table = make_table("RECIP", "|1 / (2 sin 2 pi x)|, |1 / (2 cos 2 pi x)|", p.inner_angle(), Folding::quarter, p.table_bits);
@@ -63,17 +55,6 @@ TablePtr reciprocal_table(const LeeParameters& p) {
   table.columns = {make_column(
                        "half_over_sin", [](double x) { return half_over(std::sin(two_pi * x)); }, word),
                    of_cosine};
-  return share(table);
-}
-
-/// The tangent is unbounded, so its index is a short floating-point code: 16 binades about one. Below them the angle is under a quarter of
-/// a degree, above them within a quarter of a degree of 90.
-TablePtr arc_tangent_table(const LeeParameters& p) {
-  Table table = make_table("ATAN", "atan(x) / 2 pi, x >= 0", tangent_format(p), Folding::floating, p.inverse_table_bits);
-  table.exponent_bits = 4;
-  table.min_exponent = -8;
-  table.columns = {make_column(
-      "angle", [](double x) { return std::atan(x) / two_pi; }, uangle(p.word_bits, p.word_bits + 2))};
   return share(table);
 }
 
@@ -99,9 +80,9 @@ Format proportion_format(const LeeParameters& p) {
 RotationTables rotation_tables(const LeeParameters& p) {
   RotationTables t;
   t.sine_cosine = sine_cosine_table("SC", p.input_angle(), p.table_bits, p.word_bits);
-  t.arc_sine = arc_sine_table(p);
+  t.arc_sine = arc_sine_table("ASIN", half_sum_format(p), p.inverse_table_bits, arc_format(p));
   t.reciprocal = reciprocal_table(p);
-  t.arc_tangent = arc_tangent_table(p);
+  t.arc_tangent = arc_tangent_table("ATAN", tangent_format(p), p.inverse_table_bits, uangle(p.word_bits, p.word_bits + 2));
   Table proportion = make_table("T_prop", "asin(x) / 90 deg", proportion_format(p), Folding::none, p.inverse_table_bits);
   proportion.columns = {make_column(
       "prop", [](double x) { return arc_sine_of_fraction(x) * 4 / two_pi; }, proportion_format(p))};
@@ -112,16 +93,6 @@ RotationTables rotation_tables(const LeeParameters& p) {
       "angle", [](double x) { return arc_sine_of_fraction(x) / two_pi; }, uangle(p.word_bits, p.word_bits + 2))};
   t.arc_sine_quarter = share(quarter);
   t.cosine_inner = cosine_table("COS", p.inner_angle(), p.table_bits, p.word_bits);
-  return t;
-}
-
-IlluminationTables illumination_tables(const LeeParameters& p) {
-  IlluminationTables t;
-  t.cosine = cosine_table("COS", p.inner_angle(), p.table_bits, p.word_bits);
-  Table squared = make_table("COS2HALF", "cos^2(2 pi x / 2)", p.inner_angle(), Folding::magnitude, p.table_bits);
-  squared.columns = {make_column(
-      "value", [](double x) { return 0.5 + 0.5 * std::cos(two_pi * x); }, proportion_format(p))};
-  t.cosine_half_squared = share(squared);
   return t;
 }
 

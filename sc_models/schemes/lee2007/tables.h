@@ -1,5 +1,5 @@
 #pragma once
-// The look-up tables of Lee 2007, sections 5.1 and 6: SC, ASIN, RECIP, ATAN, T_prop a vector, and the cosines of the illumination unit. The
+// The look-up tables of Lee 2007, sections 5.1 and 6: SC, ASIN, RECIP, ATAN, T_prop a vector. The
 // paper gives their number and "8 Kbytes"; shapes are a reconstruction: 256 words of 16 bits a column, sine and cosine one table of two
 // columns, the two reciprocals one column read twice, since 1/(2 cos Z) = 1/(2 sin(90 - Z)). So twelve tables are 8192 bytes exactly.
 // Leaves out interpolation between entries (the paper has none).
@@ -21,12 +21,6 @@ struct RotationTables {
   TablePtr cosine_inner;      ///< of an inner angle
 };
 RotationTables rotation_tables(const LeeParameters& p);
-
-struct IlluminationTables {
-  TablePtr cosine;               ///< of an inner angle: Eqs 24-25
-  TablePtr cosine_half_squared;  ///< cos^2(x/2), form 11
-};
-IlluminationTables illumination_tables(const LeeParameters& p);
 
 /// Formats on the edges that the tables prescribe.
 Format half_sum_format(const LeeParameters& p);    ///< (sin X + sin Y)/2, the index of ASIN

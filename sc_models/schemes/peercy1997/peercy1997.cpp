@@ -38,12 +38,12 @@ class Peercy1997 : public Scheme {
     Design design;
     record_vertex_program(p, design);
     design.environment = environment_unit(p);
-    design.illumination = illumination_unit(p, material);
+    design.illumination = vector_illumination_unit(p.widths, material);
     design.map = vector_map(p);
     using Of = DeliveredDirection::Of;
     design.directions = {{Of::light, DeliveredDirection::Frame::tangent, {"L_unit.x", "L_unit.y", "L_unit.z"}},
                          {Of::half, DeliveredDirection::Frame::tangent, {"H_unit.x", "H_unit.y", "H_unit.z"}}};
-    design.quantisation_floor_db = quantisation_floor_db(p, material);
+    design.quantisation_floor_db = direction_floor_db(p.widths, p.texel().step(), material);
     return design;
   }
 };

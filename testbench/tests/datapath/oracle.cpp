@@ -255,7 +255,7 @@ std::vector<std::int64_t> Oracle::evaluate(const std::vector<double>& inputs) co
         break;
       case Op::is_beyond_quarter: {
         const Wide quarter = power(format(0).width - 2);
-        word = operand(0) >= quarter || operand(0) < -quarter ? 1 : 0;
+        word = operand(0) > quarter || operand(0) < -quarter ? 1 : 0;
         break;
       }
     }

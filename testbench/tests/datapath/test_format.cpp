@@ -100,7 +100,7 @@ TEST_CASE("words survive the way to a double and back") {
   }
 }
 
-TEST_CASE("full turns are brought to [-1/2, 1/2), everything else is left alone") {
+TEST_CASE("full turns are brought to half a turn on either side of 0, everything else is left alone") {
   Random random(10);
   for (int i = 0; i < 20000; ++i) {
     const double value = random.real(-3, 3) * std::ldexp(1.0, random.integer(-60, 60));

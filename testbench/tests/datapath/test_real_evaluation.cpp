@@ -74,7 +74,7 @@ std::vector<double> directly(const Netlist& netlist, const std::vector<double>& 
         value = x(0) < 0;
         break;
       case Op::is_beyond_quarter:
-        value = x(0) >= 0.25 || x(0) < -0.25;
+        value = x(0) > 0.25 || x(0) < -0.25;
         break;
     }
     values.push_back(short_way(value, node.format));

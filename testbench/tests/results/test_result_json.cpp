@@ -41,6 +41,10 @@ TEST_CASE("result.json has every field of its contract, in its type") {
       {"/texture/bytes", Type::number_unsigned},
       {"/texture/hit_rate", Type::number_float},
       {"/geometry/triangles", Type::number_unsigned},
+      {"/geometry/triangles_culled", Type::number_unsigned},
+      {"/geometry/triangles_empty", Type::number_unsigned},
+      {"/geometry/triangles_hidden", Type::number_unsigned},
+      {"/geometry/triangles_drawn", Type::number_unsigned},
       {"/modules/1/name", Type::string},
       {"/modules/1/busy", Type::number_unsigned},
       {"/modules/1/starved", Type::number_unsigned},
@@ -78,6 +82,9 @@ TEST_CASE("derived numbers of result.json follow from the counts beside them") {
   CHECK(json["fragments_per_cycle"] == 0.25);
   CHECK(json["frames_per_second"] == 100e6 / 1000);
   CHECK(json["texture"]["hit_rate"].get<double>() == Approx(870.0 / 900));
+  const Json& geometry = json["geometry"];
+  CHECK(geometry["triangles_hidden"] == 1);
+  CHECK(geometry["triangles_drawn"] == 2);
   CHECK(json["operators"]["environment"]["used_per_fragment"]["adders"] == 18);       // additions are executed as well
   CHECK(json["operators"]["illumination"]["used_per_fragment"]["multipliers"] == 4);  // two lights
 }
@@ -88,12 +95,16 @@ TEST_CASE("what does not apply is null, never 0") {
   sample.result.fragments = 0;
   sample.result.texture = {};
   sample.result.timing.stages[0].last_delivery = -1;
+  sample.result.angular_errors = {AngularError{}};
   const Json json = to_json(sample.report);
   CHECK(json["fragments_per_cycle"].is_null());
   CHECK(json["frames_per_second"].is_null());
   CHECK(json["texture"]["hit_rate"].is_null());
   CHECK(json["operators"]["environment"]["used_per_fragment"].is_null());
   CHECK(json["modules"][0]["last_delivery"].is_null());
+  CHECK(json["angular_error"]["hardware"][0]["count"] == 0);
+  for (const char* of : {"mean_degrees", "rms_degrees", "max_degrees"}) CHECK(json["angular_error"]["hardware"][0][of].is_null());
+  CHECK(json["angular_error"]["double"][0]["mean_degrees"] == 3.4);
   CHECK_FALSE(json.contains("config"));
 }
 

@@ -58,6 +58,18 @@ TEST_CASE("values read back as the numbers they were") {
     if (row.statistic == "clock") CHECK(std::stod(row.value) == 1.0 / 3);
 }
 
+TEST_CASE("angles of a run in which no vector lights the surface have no value") {
+  Sample sample;
+  sample.result.angular_errors = {AngularError{}};
+  int empty = 0;
+  for (const StatisticRow& row : statistic_rows(sample.report)) {
+    if (row.module != "angular_error.hardware.") continue;
+    if (row.statistic == "count") CHECK(row.value == "0");
+    empty += row.value.empty() ? 1 : 0;
+  }
+  CHECK(empty == 3);
+}
+
 TEST_CASE("the table has four columns in every line, and awkward names are quoted") {
   const Sample sample;
   std::istringstream text(to_csv(statistic_rows(sample.report)));

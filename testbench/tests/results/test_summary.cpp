@@ -50,6 +50,16 @@ TEST_CASE("a run without fragments, tables or references still has a summary") {
   CHECK_THAT(text, !Contains("nan") && !Contains("inf"));
 }
 
+TEST_CASE("angles of a run in which no vector lights the surface are dashes") {
+  Sample sample;
+  AngularError nothing;
+  nothing.vector = "L'";
+  sample.result.angular_errors = sample.result.angular_errors_exact = {nothing};
+  const std::string text = summary(sample.report);
+  CHECK_THAT(text, Contains("L', hardware" + std::string(22 + 9, ' ') + "-        -        -\n"));
+  CHECK_THAT(text, !Contains("nan"));
+}
+
 TEST_CASE("identical images are called identical") {
   Sample sample;
   sample.result.exact = sample.result.hardware;

@@ -38,7 +38,7 @@ struct Machine {
 
 void binds(const Machine& machine, const std::string& by) {
   const TimingResult result = machine.run();
-  const Bound bound = lower_bound(machine.graph, result);
+  const Bound bound = lower_bound(machine.graph, result, {1, Cycle{machine.interval}});
   INFO(bound.by << ": " << bound.cycles << " of " << result.cycles);
   CHECK(bound.by == by);
   CHECK(bound.cycles <= static_cast<double>(result.cycles));
@@ -81,13 +81,14 @@ TEST_CASE("a run whose numbers contradict one another fails its self-check") {
   TimingGraph graph;
   for (int i = 0; i < 8; ++i) graph.stages.push_back({"stage", 1, 2, 1, -1});
   for (int i = 0; i < 7; ++i) graph.fifos.push_back({"fifo", i, i + 1, 2});
+  const std::vector<Cycle> none(8, 0);
   result.timing.stages.resize(8);
   result.timing.fifos.resize(7);
   result.timing.memories.resize(1);
-  CHECK_NOTHROW(check_conservation(result, graph));
+  CHECK_NOTHROW(check_conservation(result, graph, none));
   const auto fails = [&](const SimulationResult& wrong) {
     try {
-      check_conservation(wrong, graph);
+      check_conservation(wrong, graph, none);
     } catch (const Error& error) {
       return error.kind() == ErrorKind::self_check;
     }
@@ -102,6 +103,9 @@ TEST_CASE("a run whose numbers contradict one another fails its self-check") {
   SimulationResult requests = result;
   requests.timing.memories[0].requests = 2;
   CHECK(fails(requests));
+  SimulationResult busy = result;
+  busy.timing.stages[0].busy = 3;
+  CHECK(fails(busy));
   SimulationResult fast = result;
   fast.bound.cycles = 1;
   CHECK(fails(fast));

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "memory/level_of_detail.h"
 #include "samples.h"
 #include "units/projection.h"
 
@@ -104,7 +103,9 @@ TEST_CASE("a hidden triangle passes as a ghost that costs its positions") {
   const Scene scene = samples::scene({samples::object(samples::plane(1)), samples::object(samples::plane(1))});
   const samples::Geometry geometry = samples::rasterize(samples::context(scene));
   CHECK(geometry.raster.fragments_hidden == geometry.raster.fragments);
-  CHECK(geometry.raster.triangles_empty == 2);
+  CHECK(geometry.raster.triangles_hidden == 2);
+  CHECK(geometry.raster.triangles_drawn == 2);
+  CHECK(geometry.raster.triangles_empty == 0);
   std::int64_t hidden = 0;
   int ghosts = 0;
   for (const auto& block : geometry.blocks) {
@@ -117,6 +118,47 @@ TEST_CASE("a hidden triangle passes as a ghost that costs its positions") {
   }
   CHECK(ghosts == 2);
   CHECK(hidden == geometry.raster.fragments_hidden);
+}
+
+TEST_CASE("every mesh triangle is culled, empty, hidden or drawn, and only hidden and drawn ask early z") {
+  // Spheres in part hidden, with triangles smaller than a pixel; planes beside the frame, edge-on, and reaching behind the eye.
+  Scene scene = samples::crowded_scene();
+  scene.objects.push_back(samples::object(samples::sphere(60), glm::translate(glm::dmat4(1), {-0.7, 0.5, 0.2})));
+  scene.objects.push_back(samples::object(samples::sphere(6), glm::translate(glm::dmat4(1), {0.0, 0.0, -1.4})));
+  scene.objects.push_back(samples::object(samples::plane(2), glm::translate(glm::dmat4(1), {9.0, 0.0, 0.0})));
+  scene.objects.push_back(samples::object(samples::plane(2), glm::rotate(glm::dmat4(1), glm::radians(90.0), glm::dvec3(0, 1, 0))));
+  scene.objects.push_back(samples::object(
+      samples::plane(1), glm::rotate(glm::translate(glm::dmat4(1), {0.0, -0.6, 1.0}), glm::radians(-90.0), glm::dvec3(1, 0, 0)) *
+                             glm::scale(glm::dmat4(1), glm::dvec3(4))));
+  const auto context = samples::context(scene);
+  for (const bool cull : {true, false}) {
+    for (const int guard : {8192, 2}) {
+      TriangleSetupConfig setup;
+      setup.cull_back = cull;
+      setup.guard_band = guard;
+      const samples::Geometry early = samples::rasterize(context, order(Order::tiled, 8, true), setup);
+      const samples::Geometry late = samples::rasterize(context, order(Order::scanline, 8, false), setup);
+      for (const samples::Geometry* geometry : {&early, &late}) {
+        const GeometryCounters &s = geometry->setup, &r = geometry->raster;
+        CHECK(geometry->vertex.triangles == context->triangles());
+        CHECK(s.triangles_culled + s.triangles_empty + r.triangles_empty + r.triangles_hidden + r.triangles_drawn == context->triangles());
+        std::set<std::pair<int, std::uint32_t>> drawn;
+        for (const auto& block : geometry->blocks)
+          for (std::size_t lane = 0; lane < static_cast<std::size_t>(block->lanes); ++lane)
+            drawn.emplace(block->object, block->triangles[static_cast<std::size_t>(block->triangle[lane])]->source);
+        CHECK(r.triangles_drawn == static_cast<std::int64_t>(drawn.size()));
+      }
+      CHECK(early.raster.triangles_empty == late.raster.triangles_empty);
+      CHECK(early.raster.triangles_empty > 0);
+      CHECK(early.setup.triangles_empty == late.setup.triangles_empty);
+      CHECK(early.setup.triangles_empty >= 8 + 8);
+      CHECK((early.setup.triangles_culled > 0) == cull);
+      CHECK(early.setup.triangles_clipped > 0);
+      CHECK(early.raster.triangles_hidden > 0);
+      CHECK(late.raster.triangles_hidden == 0);
+      CHECK(early.raster.triangles_hidden + early.raster.triangles_drawn == late.raster.triangles_drawn);
+    }
+  }
 }
 
 TEST_CASE("scanline order is by rows, tiled order by tiles and by rows within") {
@@ -153,7 +195,7 @@ TEST_CASE("blocks hold one object, are full where they can be, and each lane nam
   for (const auto& [which, count] : partial) CHECK(count <= 1 + (which == 2 ? 1 : 0));
 }
 
-TEST_CASE("weights, texture coordinates and level of detail are those of the ray through the pixel's centre") {
+TEST_CASE("weights, texture coordinates and their derivatives are those of the ray through the pixel's centre") {
   // A strongly tilted plane: perspective matters. Subpixel bits are many, so that snapping does not.
   const glm::dmat4 tilt = glm::rotate(glm::dmat4(1), -1.2, glm::dvec3(1, 0.2, 0));
   const Scene scene = samples::scene({samples::object(samples::plane(1), tilt)});
@@ -185,7 +227,11 @@ TEST_CASE("weights, texture coordinates and level of detail are those of the ray
               Approx((1 - w1 - w2) * t.attributes[0] + w1 * t.attributes[stride] + w2 * t.attributes[2 * stride]).margin(1e-12));
       const double h = 0.01;
       const glm::dvec2 across = (uv_at(x + h, y) - uv_at(x - h, y)) / (2 * h), down = (uv_at(x, y + h) - uv_at(x, y - h)) / (2 * h);
-      REQUIRE(block->lod[lane] == Approx(level_of_detail(across.x, across.y, down.x, down.y)).margin(0.01));
+      const double margin = 0.01 * std::max(glm::length(across), glm::length(down));
+      REQUIRE(block->dudx[lane] == Approx(across.x).margin(margin));
+      REQUIRE(block->dvdx[lane] == Approx(across.y).margin(margin));
+      REQUIRE(block->dudy[lane] == Approx(down.x).margin(margin));
+      REQUIRE(block->dvdy[lane] == Approx(down.y).margin(margin));
       ++fragments;
     }
   }

@@ -152,6 +152,46 @@ TEST_CASE("on a plane the delivered light direction is exact in double precision
   CHECK(Shading(scene).environment.meter().hardware().empty());
 }
 
+TEST_CASE("only vectors that light the surface count for angular errors") {
+  ContextOptions options;
+  options.probe_directions = true;
+  Scene scene = samples::scene({samples::object(samples::sphere(24))});
+  scene.lights.resize(1);
+  scene.lights[0].vector = glm::normalize(glm::dvec3(1, 0.2, -0.1));  // from the side: about half of what is seen lies in the dark
+  const Shading s(scene, options);
+  std::int64_t lit = 0;
+  for (const auto& block : s.geometry.blocks) {
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(block->lanes); ++lane) {
+      glm::dvec3 n;
+      const char* axes[3] = {"x", "y", "z"};
+      for (int c = 0; c < 3; ++c) n[c] = s.exact(*block, std::string("probe.N.") + axes[c], lane);
+      lit += glm::dot(n, scene.lights[0].vector) > 0 ? 1 : 0;
+    }
+  }
+  CHECK(lit > s.geometry.raster.fragments / 4);
+  CHECK(lit < 3 * s.geometry.raster.fragments / 4);
+  for (const AngularError& error : {s.environment.meter().hardware()[0], s.environment.meter().exact()[0]}) {
+    CHECK(error.count == lit);
+    CHECK(error.max_degrees > 0);
+  }
+}
+
+TEST_CASE("a surface that no light reaches has no angular errors, not errors of 0") {
+  ContextOptions options;
+  options.probe_directions = true;
+  Scene scene = samples::scene({samples::object(samples::plane(2))});
+  scene.lights = {{true, {0, 0, -1}, 1}, {false, {1, 2, -4}, 1}, {true, {1, 0, 0}, 1}};  // two from behind, one along the surface
+  const Shading s(scene, options);
+  CHECK(s.geometry.raster.fragments > 0);
+  for (const AngularError& error : {s.environment.meter().hardware()[0], s.environment.meter().exact()[0]}) {
+    CHECK(error.vector == "L'");
+    CHECK(error.count == 0);
+    CHECK(std::isnan(error.mean_degrees));
+    CHECK(std::isnan(error.rms_degrees));
+    CHECK(std::isnan(error.max_degrees));
+  }
+}
+
 TEST_CASE("a design that writes over a name that others read is refused") {
   const Scene scene = samples::scene({samples::object(samples::plane(1))});
   std::vector<Design> designs;
@@ -163,6 +203,34 @@ TEST_CASE("a design that writes over a name that others read is refused") {
   two.push_back(samples::design());
   two[1].map.channels[2].name = "w";
   CHECK_THROWS_AS(make_context(scene, std::move(two), {0}, {}), Error);
+}
+
+TEST_CASE("the colour unit in fixed point follows double precision for every light intensity") {
+  for (const double intensity : {0.0, 0.3, 1.0, 2.5, 17.0, 100.0}) {
+    for (const double diffuse : {0.001, 0.02, 0.3, 1.0}) {
+      Scene scene;
+      scene.lights.resize(2);
+      for (Light& light : scene.lights) light.intensity = intensity;
+      scene.objects.emplace_back();
+      scene.objects[0].material = {0.1, diffuse, 0.01, 10};
+      const Netlist netlist = colour_netlist(scene, scene.objects[0].material, {});
+      const auto fixed = make_evaluator(netlist, Arithmetic::fixed), real_valued = make_evaluator(netlist, Arithmetic::real);
+      for (const double dot : {0.0, 0.4, 1.0}) {
+        std::vector<double> values;
+        for (const Netlist::Port& port : netlist.inputs()) values.push_back(port.name.rfind("tex", 0) == 0 ? 0.9 : diffuse * dot);
+        std::vector<const double*> inputs;
+        for (const double& value : values) inputs.push_back(&value);
+        double got[3], wanted[3];
+        double* got_at[3] = {got, got + 1, got + 2};
+        double* wanted_at[3] = {wanted, wanted + 1, wanted + 2};
+        fixed->evaluate(inputs.data(), 1, got_at);
+        real_valued->evaluate(inputs.data(), 1, wanted_at);
+        INFO(intensity << " x " << diffuse << " x " << dot);
+        // The intensity word is rounded to 2^-13 before the gains multiply it.
+        REQUIRE(got[0] == Approx(wanted[0]).margin(0.001 + 2 * (intensity + 2) / 4096));
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "memory/level_of_detail.h"
@@ -105,7 +106,9 @@ void compare(Filter filter, int footprints_per_cycle) {
           misses += hit ? 0 : 1;
         }
       };
-      const double lod = lod_of_access(colours[object], filter, block->lod[lane]);  // both textures are 32 x 32
+      // Both textures are 32 x 32.
+      const double lod =
+          lod_of_access(colours[object], filter, {block->dudx[lane], block->dvdx[lane], block->dudy[lane], block->dvdy[lane]});
       access(colours[object], colour_layouts[object], lod);
       access(maps[object], map_layouts[object], lod);
       const TokenRecord& record = block->texture_records[lane];
@@ -142,6 +145,67 @@ TEST_CASE("texels, lines, hits and intervals are those of a replay, bilinear") {
 }
 TEST_CASE("texels, lines, hits and intervals are those of a replay, trilinear") {
   compare(Filter::trilinear, 3);
+}
+
+/// A texture whose texels of level l are all `value(l)`.
+std::shared_ptr<Texture> marked_levels(int width, int height, const std::function<glm::dvec3(double)>& value) {
+  auto result = samples::texture(width, height, 3, 1);
+  for (std::size_t l = 0; l < result->levels.size(); ++l) {
+    const glm::dvec3 mark = value(static_cast<double>(l));
+    for (std::size_t i = 0; i < result->levels[l].texels.size(); ++i) result->levels[l].texels[i] = mark[static_cast<int>(i % 3)];
+  }
+  return result;
+}
+
+TEST_CASE("each texture is read at the level where the longer side of the footprint is one of its own texels") {
+  struct Case {
+    glm::ivec2 colour;
+    glm::dvec2 texels;  // of the colour texture, from pixel to pixel along u and v
+    double colour_level;
+    glm::ivec2 map;
+    double map_level;
+  };
+  const Case cases[] = {{{256, 16}, {0.2, 0.25}, 0, {256, 16}, 0}, {{16, 256}, {0.25, 0.2}, 0, {32, 512}, 0},
+                        {{256, 16}, {4, 0.25}, 2, {64, 64}, 0},    {{256, 16}, {0.25, 4}, 2, {256, 64}, 4},
+                        {{16, 256}, {0.2, 8}, 3, {32, 64}, 1},     {{64, 64}, {2, 1}, 1, {32, 256}, 2}};
+  for (const Case& c : cases) {
+    INFO(c.colour.x << " x " << c.colour.y << ", " << c.texels.x << ", " << c.texels.y);
+    SceneObject object;
+    auto mesh = samples::plane(1);
+    Scene scene = samples::scene({});
+    // Pixels of a length of 1 in the plane z = 0.
+    const double pixels = 0.5 * scene.height / std::tan(scene.camera.field_of_view * 3.14159265358979323846 / 360) / scene.camera.eye.z;
+    for (Vertex& vertex : mesh->vertices) vertex.uv = glm::dvec2(vertex.position) * pixels * c.texels / glm::dvec2(c.colour);
+    object.mesh = mesh;
+    object.colour = marked_levels(c.colour.x, c.colour.y, [](double level) { return glm::dvec3(level / 16); });
+    const auto tilted = [](double level) { return glm::dvec3(std::sin(level / 16), 0, std::cos(level / 16)); };
+    object.normals = marked_levels(c.map.x, c.map.y, tilted);
+    scene.objects.push_back(object);
+    const auto context = samples::context(scene);
+    RasterizerConfig rasterizer;
+    TriangleSetupConfig setup;
+    rasterizer.subpixel_bits = setup.subpixel_bits = 12;
+    const samples::Geometry geometry = samples::rasterize(context, rasterizer, setup);
+    TextureFetchConfig config;
+    config.filter = Filter::trilinear;
+    TextureFetch unit(context, config);
+    const auto colour = static_cast<std::size_t>(context->planes.index("tex.r")),
+               map = static_cast<std::size_t>(context->planes.index("map.x"));
+    int fragments = 0;
+    for (const auto& block : geometry.blocks) {
+      unit.process(*block);
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(block->lanes); ++lane, ++fragments) {
+        // Derivatives are those of a plane snapped to the subpixel grid.
+        REQUIRE(block->dudx[lane] * c.colour.x == Approx(c.texels.x).epsilon(1e-4));
+        REQUIRE(block->dvdy[lane] * c.colour.y == Approx(-c.texels.y).epsilon(1e-4));
+        REQUIRE(block->hardware[colour][lane] * 16 == Approx(c.colour_level).margin(1e-3));
+        REQUIRE(std::asin(block->exact[map][lane]) * 16 == Approx(c.map_level).margin(1e-3));
+      }
+    }
+    CHECK(fragments > 500);
+    // On a whole level the filter reads one footprint, up to the rounding above.
+    if (c.colour_level == 0 && c.map_level == 0) CHECK(unit.counters().reads == 8 * fragments);
+  }
 }
 
 TEST_CASE("the quick footprint gives the taps and the mean of the general filter, bit for bit") {

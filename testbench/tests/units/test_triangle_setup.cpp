@@ -72,6 +72,14 @@ TEST_CASE("a triangle is drawn from the front, culled from behind unless both si
   CHECK(OneTriangle(back).counters.triangles_culled == 1);
   CHECK(OneTriangle(line).block.pieces.empty());
   CHECK(OneTriangle(line).counters.triangles_empty == 1);
+  CHECK(OneTriangle(line).counters.triangles_culled == 0);
+  // Beside the frame both sides are empty: nothing is asked about their facing.
+  for (const auto& corners : {front, back}) {
+    std::array<glm::dvec3, 3> beside = corners;
+    for (glm::dvec3& corner : beside) corner.x += 20;
+    CHECK(OneTriangle(beside).counters.triangles_empty == 1);
+    CHECK(OneTriangle(beside).counters.triangles_culled == 0);
+  }
   TriangleSetupConfig both;
   both.cull_back = false;
   CHECK(OneTriangle(back, both).block.pieces.size() == 1);

@@ -70,5 +70,12 @@ TEST_CASE("what is set is what the units read, and a cache that cannot be built 
   CHECK_THROWS_AS(TextureFetchConfig(c), Error);
 }
 
+TEST_CASE("a look-up takes at least a cycle to reach memory") {
+  Configuration c(all());
+  CHECK_THROWS_AS(c.set_text("memory.tag_latency", "0", {"test", 0, 0}), Error);
+  c.set_text("memory.tag_latency", "1", {"test", 0, 0});
+  CHECK(c.integer("memory.tag_latency") == 1);
+}
+
 }  // namespace
 }  // namespace bump

@@ -1,23 +1,24 @@
-#include "schemes/lee2007/polar_vectors.h"
+#include "schemes/common/polar_vectors.h"
 
 #include <cmath>
 
 #include "schemes/common/polar_conversion.h"
+#include "schemes/common/vertex_vectors.h"
 
-namespace bump::lee2007 {
+namespace bump {
 
 namespace {
 
 constexpr double vertex_axis_limit = 1e-6;  // sine of theta_N below which phi_N is 0: normals of a flat face may carry rounding noise
 constexpr int component_bits = 16;          // of interpolated vectors; their angles are as good as any angle word
 
-struct VertexVectors {
+struct VertexDirections {
   VectorWires normal, tangent, binormal, light, half;
 };
 
 /// Unit L and H from the vertex inputs. Only their directions matter to angles; interpolated as vectors they must be bounded.
-VertexVectors vertex_vectors(Netlist& n) {
-  VertexVectors v;
+VertexDirections vertex_directions(Netlist& n) {
+  VertexDirections v;
   v.normal = input_vector(n, "N", real());
   v.tangent = input_vector(n, "T", real());
   v.binormal = input_vector(n, "B", real());
@@ -32,12 +33,6 @@ void interpolate(Design& design, const std::string& name, Wire wire, Interpolant
   design.interpolants.push_back({name, kind});
 }
 
-void interpolate_vector(Design& design, const std::string& name, const VectorWires& v) {
-  interpolate(design, name + ".x", v.x, InterpolantKind::linear);
-  interpolate(design, name + ".y", v.y, InterpolantKind::linear);
-  interpolate(design, name + ".z", v.z, InterpolantKind::linear);
-}
-
 /// theta stays within half a turn, so it needs no short way round.
 void interpolate_direction(Design& design, const std::string& name, const PolarWires& polar) {
   interpolate(design, name + ".phi", polar.phi, InterpolantKind::angle);
@@ -45,7 +40,7 @@ void interpolate_direction(Design& design, const std::string& name, const PolarW
 }
 
 /// -1/4 turn where B = T x N, +1/4 where B = N x T: its sign is the flag.
-Wire mirror_flag(Netlist& n, const VertexVectors& v) {
+Wire mirror_flag(Netlist& n, const VertexDirections& v) {
   const Netlist::Scope scope(n, "mirror");
   const auto minor = [&](const std::string& name, Wire a, Wire b, Wire c, Wire d) {
     return n.sub(name, n.mul(name + "_1", a, b, real()), n.mul(name + "_2", c, d, real()), real());
@@ -59,7 +54,7 @@ Wire mirror_flag(Netlist& n, const VertexVectors& v) {
 }
 
 /// Fixed-point conversion of the interpolated vectors.
-Netlist conversion_unit(const LeeParameters& p) {
+Netlist conversion_unit(const PolarSettings& p, NormalAs normal_as) {
   Netlist n("conversion");
   const Format component = sfixed(component_bits, component_bits - 1);
   const PolarFormats formats = pixel_polar_formats(component_bits, p.inverse_table_bits, p.angle_bits);
@@ -70,10 +65,14 @@ Netlist conversion_unit(const LeeParameters& p) {
     n.output(name + ".theta", polar.theta);
     return polar;
   };
-  const VectorWires normal = input_vector(n, "N", component);
-  const PolarWires polar_normal = convert("N", normal);
+  VectorWires normal;
+  PolarWires polar_normal;
+  if (normal_as == NormalAs::angles) {
+    normal = input_vector(n, "N", component);
+    polar_normal = convert("N", normal);
+  }
   for (const char* name : {"L", "H"}) convert(name, input_vector(n, name, component));
-  if (p.frame != InPlane::pixel) return n;
+  if (normal_as == NormalAs::matrix || p.frame != InPlane::pixel) return n;
   n.begin_addition();
   const Format product = sfixed(component_bits + 3, component_bits + 1);
   n.output("alpha", in_plane_angle(n, "frame", normal, polar_normal, input_vector(n, "T", component), formats, product, false));
@@ -83,38 +82,42 @@ Netlist conversion_unit(const LeeParameters& p) {
 
 }  // namespace
 
-void record_polar_vectors(const LeeParameters& p, Design& design) {
+void record_polar_vectors(const PolarSettings& p, NormalAs normal_as, Design& design) {
   Netlist& n = design.vertex;
-  const VertexVectors v = vertex_vectors(n);
+  const VertexDirections v = vertex_directions(n);
   const PolarFormats formats = vertex_polar_formats();
-  const bool per_pixel = p.angles == Angles::pixel;
-  if (per_pixel) {
+  const bool per_pixel = p.angles == Angles::pixel, matrix = normal_as == NormalAs::matrix;
+  if (matrix) {
     interpolate_vector(design, "N", v.normal);
+    interpolate_vector(design, "T", v.tangent);
+    interpolate_vector(design, "B", v.binormal);
+  }
+  if (per_pixel) {
+    if (!matrix) interpolate_vector(design, "N", v.normal);
     interpolate_vector(design, "L", v.light);
     interpolate_vector(design, "H", normalise_vertex(n, "H_unit", v.half));
-    if (p.frame == InPlane::pixel) interpolate_vector(design, "T", v.tangent);
+    if (!matrix && p.frame == InPlane::pixel) interpolate_vector(design, "T", v.tangent);
   }
-  const bool alpha_at_vertex = p.frame == InPlane::face || (p.frame == InPlane::pixel && !per_pixel);
-  if (!per_pixel || alpha_at_vertex) {
-    const PolarWires normal = polar_angles(n, "N_polar", v.normal, formats, vertex_axis_limit);
-    if (!per_pixel) {
-      interpolate_direction(design, "N", normal);
-      interpolate_direction(design, "L", polar_angles(n, "L_polar", v.light, formats, vertex_axis_limit));
-      interpolate_direction(design, "H", polar_angles(n, "H_polar", v.half, formats, vertex_axis_limit));
-    }
-    if (alpha_at_vertex) {
-      n.begin_addition();
-      const Wire alpha = in_plane_angle(n, "frame", v.normal, normal, v.tangent, formats, real(), true);
-      n.end_addition();
-      interpolate(design, "alpha", alpha, p.frame == InPlane::face ? InterpolantKind::flat_angle : InterpolantKind::angle);
-    }
+  const bool alpha_at_vertex = !matrix && (p.frame == InPlane::face || (p.frame == InPlane::pixel && !per_pixel));
+  PolarWires normal;
+  if (!matrix && (!per_pixel || alpha_at_vertex)) normal = polar_angles(n, "N_polar", v.normal, formats, vertex_axis_limit);
+  if (!per_pixel) {
+    if (!matrix) interpolate_direction(design, "N", normal);
+    interpolate_direction(design, "L", polar_angles(n, "L_polar", v.light, formats, vertex_axis_limit));
+    interpolate_direction(design, "H", polar_angles(n, "H_polar", v.half, formats, vertex_axis_limit));
   }
-  if (p.mirror) {
+  if (alpha_at_vertex) {
+    n.begin_addition();
+    const Wire alpha = in_plane_angle(n, "frame", v.normal, normal, v.tangent, formats, real(), true);
+    n.end_addition();
+    interpolate(design, "alpha", alpha, p.frame == InPlane::face ? InterpolantKind::flat_angle : InterpolantKind::angle);
+  }
+  if (!matrix && p.mirror) {
     n.begin_addition();
     interpolate(design, "mirror", mirror_flag(n, v), InterpolantKind::flat_angle);
     n.end_addition();
   }
-  if (per_pixel) design.conversion = conversion_unit(p);
+  if (per_pixel) design.conversion = conversion_unit(p, normal_as);
 }
 
-}  // namespace bump::lee2007
+}  // namespace bump

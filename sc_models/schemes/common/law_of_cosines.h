@@ -6,13 +6,20 @@
 // all schemes share. Timing: that of the operators recorded.
 
 #include "datapath/netlist.h"
-#include "schemes/lee2007/lee_parameters.h"
+#include "schemes/common/polar_settings.h"
 #include "units/scene.h"
 
-namespace bump::lee2007 {
+namespace bump {
 
-/// Inputs "L_ref.phi" ... as the environment unit delivers them, "map.phi", "map.theta", and "alpha", "mirror" where the parameters ask for
-/// them. Output "intensity".
-Netlist illumination_unit(const LeeParameters& p, const Material& material);
+struct LawOfCosines {
+  int form = 11;  ///< adders: 11 or 13
+  int word_bits = 16, table_bits = 8, light_table_bits = 10;
+  /// Angles inside the datapath: a table word resolves a quarter turn.
+  Format inner_angle() const { return turns(word_bits + 2); }
+};
 
-}  // namespace bump::lee2007
+/// Inputs "L_ref.phi", "L_ref.theta", "H_ref.phi", "H_ref.theta" in inner_angle(), "map.phi", "map.theta", and "alpha", "mirror" where the
+/// settings ask for them. Output "intensity".
+Netlist law_of_cosines_unit(const LawOfCosines& form, const PolarSettings& settings, const Material& material);
+
+}  // namespace bump

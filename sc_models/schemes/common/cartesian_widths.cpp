@@ -1,0 +1,29 @@
+#include "schemes/common/cartesian_widths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "schemes/common/light_tables.h"
+
+namespace bump {
+
+void declare_widths(Parameters& p, const std::string& id) {
+  p.integer(id + ".word_bits", 12, 8, 18, "bits", "bits of a vector component, sign included");
+  p.integer(id + ".light_table_bits", 10, 6, 12, "bits", "address bits of the power table");
+}
+
+CartesianWidths read_widths(const Configuration& c, const std::string& id) {
+  CartesianWidths widths;
+  widths.word_bits = static_cast<int>(c.integer(id + ".word_bits"));
+  widths.light_table_bits = static_cast<int>(c.integer(id + ".light_table_bits"));
+  return widths;
+}
+
+double direction_floor_db(const CartesianWidths& widths, double texel_step, const Material& material) {
+  const double words = 16 * std::ldexp(1.0, -widths.word_bits);
+  const double root = widths.divider ? 0 : 8 * std::ldexp(1.0, -widths.root_table_bits);
+  const double direction = std::sqrt(words * words + texel_step * texel_step + root * root);
+  return std::max(3.0, -20 * std::log10(direction * angular_slope(material) + light_table_error(material, widths.light_table_bits)));
+}
+
+}  // namespace bump
