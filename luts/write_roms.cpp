@@ -12,6 +12,7 @@
 #include "datapath/invariant.h"
 #include "datapath/sha256.h"
 #include "luts/rom_error.h"
+#include "luts/rom_folder.h"
 #include "luts/rom_image.h"
 
 namespace bump {
@@ -127,29 +128,6 @@ std::map<std::pair<std::string, std::string>, Rom> collect(const std::vector<Rom
   return roms;
 }
 
-[[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& why) {
-  throw Error(
-      {"cannot write the ROM image", {path.string(), 0, 0}, why, "a folder that exists or can be made, with room and permission to write"});
-}
-
-void write_file(const std::filesystem::path& path, const std::string& contents) {
-  std::filesystem::path temporary = path;
-  temporary += ".new";
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-  file.write(contents.data(), static_cast<std::streamsize>(contents.size()));
-  file.close();
-  std::error_code code;
-  if (!file) {
-    std::filesystem::remove(temporary, code);
-    cannot_write(path, "writing failed");
-  }
-  std::filesystem::rename(temporary, path, code);
-  if (!code) return;
-  const std::string why = code.message();
-  std::filesystem::remove(temporary, code);
-  cannot_write(path, why);
-}
-
 }  // namespace
 
 std::map<std::string, std::string> rom_files(const std::vector<RomSource>& sources) {
@@ -176,13 +154,7 @@ std::map<std::string, std::string> rom_files(const std::vector<RomSource>& sourc
 }
 
 void write_roms(const std::vector<RomSource>& sources, const std::string& folder) {
-  const std::map<std::string, std::string> files = rom_files(sources);
-  std::error_code code;
-  std::filesystem::create_directories(folder, code);
-  if (code) cannot_write(folder, code.message());
-  for (const auto& [name, contents] : files)
-    if (name != manifest_name) write_file(std::filesystem::path(folder) / name, contents);
-  write_file(std::filesystem::path(folder) / manifest_name, files.at(manifest_name));
+  write_rom_folder(rom_files(sources), manifest_name, folder);
 }
 
 std::vector<std::string> outdated_roms(const std::vector<RomSource>& sources, const std::string& folder) {

@@ -21,8 +21,8 @@ struct RomSource {
 /// Error(internal).
 std::map<std::string, std::string> rom_files(const std::vector<RomSource>& sources);
 
-/// Writes rom_files() to the folder, made if need be. Each file is written beside and renamed into place, the manifest last. Files of
-/// other names are left alone. Throws Error(input) with the path when the folder cannot be written.
+/// Writes rom_files() to the folder, made if need be: all of them or, after an error, none (rom_folder.h). Files of other names are left
+/// alone. Throws Error(input) with the path and the system's reason when the folder cannot be written.
 void write_roms(const std::vector<RomSource>& sources, const std::string& folder);
 
 /// Names of the files in `folder` that are missing or differ from rom_files(); empty when all are up to date.

@@ -1,7 +1,6 @@
 #include "testbench/program/command_line.h"
 
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -21,11 +20,13 @@ namespace bump {
 namespace {
 
 void add_configuration(CLI::App& command, std::vector<std::string>& files, std::vector<std::string>& settings) {
-  command.add_option("--config", files, "configuration file (TOML); may be repeated, later files win")->type_name("FILE");
-  command.add_option("--set", settings, "one parameter, e.g. fifos.depth=2; may be repeated, wins over files")->type_name("KEY=VALUE");
+  command.add_option("--config", files, "configuration file (TOML); may be repeated, later files win")->type_name("FILE")->allow_extra_args(false);
+  command.add_option("--set", settings, "one parameter, e.g. fifos.depth=2; may be repeated, wins over files")->type_name("KEY=VALUE")->allow_extra_args(false);
 }
 
-void add_json(CLI::App& command, bool& json) { command.add_flag("--json", json, "one JSON document on stdout"); }
+void add_json(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "one JSON document on stdout");
+}
 
 /// Left to the commands, an empty path would mean the default.
 CLI::Validator named() {
@@ -73,7 +74,8 @@ ErrorText text_of(const std::string& what, const std::string& why, const std::st
 
 int command_line(int argc, char* argv[]) {
   guard_process();
-  CLI::App program{"bumpsim: simulates bump-mapping hardware and says what it costs, how fast it is and how good its picture is", "bumpsim"};
+  CLI::App program{"bumpsim: simulates bump-mapping hardware and says what it costs, how fast it is and how good its picture is",
+                   "bumpsim"};
   program.require_subcommand(1);
   program.set_version_flag("--version", version_text());
   program.footer("Exit codes: 0 ok, 2 bad input or configuration, 3 deadlock, 4 self-check failed, 5 internal error, 130 interrupted.");
@@ -85,10 +87,15 @@ int command_line(int argc, char* argv[]) {
   command->add_option("--scheme", run.scheme, "see: bumpsim list schemes")->capture_default_str();
   command->add_option("--engine", run.engine, "dated (fast, exact) or stepped (clocked, for waveforms)")->capture_default_str();
   add_configuration(*command, run.configuration_files, run.settings);
-  command->add_option("--out", run.out, "result folder; must not exist or be empty (default: a new one under ./out)")->type_name("DIR")->check(named());
-  command->add_option("--trace", run.trace, "VCD file with FIFOs and unit states; needs --engine stepped; must not exist")->type_name("FILE.vcd")->check(named());
+  command->add_option("--out", run.out, "result folder; must not exist or be empty (default: a new one under ./out)")
+      ->type_name("DIR")
+      ->check(named());
+  command->add_option("--trace", run.trace, "VCD file with FIFOs and unit states; needs --engine stepped; must not exist")
+      ->type_name("FILE.vcd")
+      ->check(named());
   command->add_flag("--force", run.force, "replace an earlier result in --out, and an earlier file of --trace");
-  command->add_flag("--no-quality", run.no_quality, "only cycles, counts and the picture: no references, no evaluation in double precision; faster");
+  command->add_flag("--no-quality", run.no_quality,
+                    "only cycles, counts and the picture: no references, no evaluation in double precision; faster");
   add_json(*command, run.json);
   command->callback([&] { chosen = [&] { return run_command(run); }; });
 
@@ -147,7 +154,8 @@ int command_line(int argc, char* argv[]) {
   } catch (const std::bad_alloc&) {
     return report_failure(ErrorKind::input, text_of("out of memory", "", "a smaller frame or mesh"), json);
   } catch (const std::exception& error) {
-    return report_failure(ErrorKind::internal, text_of("internal error", error.what(), "report this with the command that led to it"), json);
+    return report_failure(ErrorKind::internal, text_of("internal error", error.what(), "report this with the command that led to it"),
+                          json);
   }
 }
 

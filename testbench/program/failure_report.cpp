@@ -29,8 +29,12 @@ const char* status_of(ErrorKind kind) {
   return "error";
 }
 
-Json known(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-Json known(int number) { return number > 0 ? Json(number) : Json(nullptr); }
+Json known(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+Json known(int number) {
+  return number > 0 ? Json(number) : Json(nullptr);
+}
 
 Json document(ErrorKind kind, const ErrorText& text) {
   Json json;

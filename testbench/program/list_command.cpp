@@ -29,11 +29,11 @@ int list_command(const ListArguments& arguments) {
   }
   if (schemes) {
     fmt::print("schemes\n");
-    for (const Scheme* scheme : all_schemes()) fmt::print("  {:<14} {} ({})\n", scheme->page().id, scheme->page().title, scheme->page().provenance);
+    for (const Scheme* scheme : all_schemes()) fmt::print("  {:<18} {} ({})\n", scheme->page().id, scheme->page().title, scheme->page().provenance);
   }
   if (scenes) {
     fmt::print("scenes\n");
-    for (const ShippedScene& scene : shipped_scenes()) fmt::print("  {:<14} {}\n", scene.name, scene.title);
+    for (const ShippedScene& scene : shipped_scenes()) fmt::print("  {:<18} {}\n", scene.name, scene.title);
   }
   return 0;
 }

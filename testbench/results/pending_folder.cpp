@@ -71,7 +71,8 @@ void check_parent(const fs::path& out) {
   std::error_code error;
   while (fs::symlink_status(parent, error).type() == fs::file_type::not_found && parent.has_relative_path()) parent = parent.parent_path();
   if (!fs::is_directory(parent, error)) fail("cannot create the output folder", out.string(), parent.string() + " is not a folder");
-  if (::access(parent.c_str(), W_OK | X_OK) != 0) fail("cannot create the output folder", out.string(), reason(errno) + ": " + parent.string());
+  if (::access(parent.c_str(), W_OK | X_OK) != 0)
+    fail("cannot create the output folder", out.string(), reason(errno) + ": " + parent.string());
 }
 
 /// Replacing the folder would take along whatever else lies in it.
@@ -82,7 +83,9 @@ void check_for_other_files(const fs::path& out) {
     const fs::path& path = entries->path();
     const bool known = std::find(result_files.begin(), result_files.end(), path.filename().string()) != result_files.end();
     if (known && entries->symlink_status(error).type() == fs::file_type::regular) continue;
-    throw Error({"the output folder holds more than a result", {path.string()}, "replacing the result would remove this too",
+    throw Error({"the output folder holds more than a result",
+                 {path.string()},
+                 "replacing the result would remove this too",
                  "move it elsewhere, or choose another folder with --out"});
   }
   if (error) fail("cannot read the output folder", out.string(), error.message());

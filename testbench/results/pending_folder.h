@@ -10,8 +10,8 @@
 namespace bump {
 
 /// Every file that a result may consist of.
-inline constexpr std::array<std::string_view, 6> result_files = {"result.json", "config.resolved.toml", "stats.csv",
-                                                                 "frame.png",   "frame.exr",            "error.png"};
+inline constexpr std::array<std::string_view, 6> result_files = {
+    "result.json", "config.resolved.toml", "stats.csv", "frame.png", "frame.exr", "error.png"};
 
 /// Throws Error(input) if a result cannot be written to `out`: something else than a folder is in the way, the folder holds anything but
 /// the files of a result of this program, or it holds just these and `force` is not set; or the folder it would be made in is none or may
@@ -26,7 +26,8 @@ class PendingFolder {
   PendingFolder(const PendingFolder&) = delete;
   PendingFolder& operator=(const PendingFolder&) = delete;
 
-  /// Writes a new file, one of `result_files`. Throws Error(input) naming the file and the system's reason when the disk is full or anything else goes wrong.
+  /// Writes a new file, one of `result_files`. Throws Error(input) naming the file and the system's reason when the disk is full or
+  /// anything else goes wrong.
   void write(const std::string& name, std::string_view bytes);
   /// Moves the folder into place; an earlier result is removed only after that, and only if still nothing else has come into its folder.
   void commit();

@@ -175,14 +175,16 @@ Texture normals_from_map(const Image& image, const FileName& name, bool green_do
     warnings.push_back("'" + name.shown + "': normals have mean length " + rounded(mean) + ", standard deviation " + rounded(deviation) +
                        "; made unit");
   }
-  if (without_length > 0) warnings.push_back("'" + name.shown + "': " + std::to_string(without_length) + " normals without length became flat");
-  if (inward > 0) warnings.push_back("'" + name.shown + "': " + std::to_string(inward) + " normals point into the surface; kept as they are");
+  if (without_length > 0)
+    warnings.push_back("'" + name.shown + "': " + std::to_string(without_length) + " normals without length became flat");
+  if (inward > 0)
+    warnings.push_back("'" + name.shown + "': " + std::to_string(inward) + " normals point into the surface; kept as they are");
   build_normal_levels(normals);
   const double agreement = integrability(normals);
   if (agreement < -0.2) {
     const std::string green = green_down ? "up" : "down", advice = "green = \"" + green + "\"";
-    warnings.push_back("'" + name.shown + "': no relief has these slopes (correlation " + rounded(agreement) +
-                       "), green seems to point " + green + "; try " +
+    warnings.push_back("'" + name.shown + "': no relief has these slopes (correlation " + rounded(agreement) + "), green seems to point " +
+                       green + "; try " +
                        (by_scene ? advice
                                  : "a scene file with [[object]], shape = \"mesh\", mesh, normal and " + advice +
                                        " (see scenes/README.md), since a material library cannot say so"));

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "testbench/scene/file_name.h"
+
 namespace bump {
 
 struct LibraryMaterial {
@@ -17,8 +19,8 @@ struct LibraryMaterial {
   double bump_multiplier = 1;
 };
 
-/// Materials by name. `file` is the name used in warnings: keys that are not known are named in one.
-std::map<std::string, LibraryMaterial> parse_material_library(const std::string& text, const std::string& file,
+/// Materials by name. Throws Error(input) and warns as used_material_text() says.
+std::map<std::string, LibraryMaterial> parse_material_library(const std::string& text, const FileName& file,
                                                               std::vector<std::string>& warnings);
 
 }  // namespace bump

@@ -41,11 +41,13 @@ std::map<std::string, FoundMaterial> read_libraries(const ObjModel& model, const
 }
 
 /// The file of a map, none (and a warning) if it is missing.
-std::optional<FileName> map_file(const FoundMaterial& found, const std::string& map, const std::string& material, std::vector<std::string>& warnings) {
+std::optional<FileName> map_file(const FoundMaterial& found, const std::string& map, const std::string& material,
+                                 std::vector<std::string>& warnings) {
   if (map.empty()) return std::nullopt;
   const FileName file = file_beside(found.library, map);
   if (is_file(file.path)) return file;
-  warnings.push_back("'" + found.library.shown + "': texture '" + file.shown + "' of material '" + material + "' does not exist; it is left out");
+  warnings.push_back("'" + found.library.shown + "': texture '" + file.shown + "' of material '" + material +
+                     "' does not exist; it is left out");
   return std::nullopt;
 }
 

@@ -73,7 +73,10 @@ class ObjBuilder {
       }
     }
     if (triangles_.empty())
-      throw Error({"mesh '" + file_.path + "' has no triangle with any area", {file_.path, first_line, 0}, "all were dropped", "re-export the mesh"});
+      throw Error({"mesh '" + file_.path + "' has no triangle with any area",
+                   {file_.path, first_line, 0},
+                   "all were dropped",
+                   "re-export the mesh"});
     if (dropped > 0)
       warn(std::to_string(dropped) + " triangles without area were dropped, the first in line " + std::to_string(first_line));
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "testbench/scene/file_name.h"
 #include "testbench/scene/obj_text.h"
 #include "units/scene.h"
 

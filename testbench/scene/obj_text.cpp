@@ -10,6 +10,7 @@ namespace bump {
 namespace {
 
 constexpr double largest_coordinate = 1e30;  // squares and products of what is larger would leave double precision
+constexpr const char* allowed_coordinates = "coordinates are allowed from -1e30 to 1e30";
 constexpr std::size_t most_corners = 1024;
 
 class ObjParser {
@@ -98,14 +99,15 @@ class ObjParser {
       const char* begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
       const char* end = word.data() + word.size();
       const auto [stop, error] = std::from_chars(begin, end, numbers[i]);
-      const bool tiny = error == std::errc::result_out_of_range && word.find("e-") != std::string::npos;
+      const bool tiny = error == std::errc::result_out_of_range && word.find_first_of("eE") != std::string::npos &&
+                        word[word.find_first_of("eE") + 1] == '-';
       if (tiny) numbers[i] = 0;
       if ((error != std::errc() && !tiny && error != std::errc::result_out_of_range) || stop != end) {
         fail("'" + word + "' is not a number", "'" + words[0] + "' takes numbers");
       }
-      if ((error == std::errc::result_out_of_range && !tiny) || !std::isfinite(numbers[i]) || std::abs(numbers[i]) > largest_coordinate) {
-        fail("'" + word + "' is not a finite coordinate", "allowed -1e30 to 1e30");
-      }
+      if (error == std::errc() && !std::isfinite(numbers[i])) fail("'" + word + "' is not a finite coordinate", allowed_coordinates);
+      if ((error != std::errc() && !tiny) || std::abs(numbers[i]) > largest_coordinate)
+        fail("'" + word + "' is out of range", allowed_coordinates);
     }
     return numbers;
   }

@@ -114,8 +114,7 @@ Wrap read_wrap(const StrictTable& table, const std::string& shape) {
   return {mode(words.first), mode(words.second)};
 }
 
-std::shared_ptr<const Texture> read_colour(const StrictTable& table, const FileName& scene_file, const Wrap& wrap,
-                                           TextureStore& textures) {
+std::shared_ptr<const Texture> read_colour(const StrictTable& table, const FileName& scene_file, const Wrap& wrap, TextureStore& textures) {
   const TomlValue* value = table.find("colour");
   if (value == nullptr) return nullptr;
   if (value->kind == TomlValue::Kind::array) {

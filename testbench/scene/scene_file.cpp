@@ -5,6 +5,7 @@
 
 #include "testbench/scene/input_files.h"
 #include "testbench/scene/mesh_objects.h"
+#include "testbench/scene/mesh_view.h"
 #include "testbench/scene/object_reader.h"
 #include "testbench/scene/strict_table.h"
 
@@ -13,7 +14,6 @@ namespace bump {
 namespace {
 
 constexpr std::size_t most_lights = 8;
-constexpr double pi = 3.14159265358979323846;
 
 void read_frame(const TomlValue& value, Scene& scene) {
   const StrictTable table(value, "frame", {"width", "height", "background"});
@@ -71,8 +71,9 @@ const std::vector<TomlValue>& tables_of(const StrictTable& root, const std::stri
   return list->items;
 }
 
-void read_scene_file(const std::string& path, InputFiles& files, TextureStore& textures, Scene& scene) {
-  const TomlValue document = parse_toml(files.read(path, "scene"), path);
+void read_scene_file(const FileName& file, InputFiles& files, TextureStore& textures, Scene& scene) {
+  const std::string& path = file.path;
+  const TomlValue document = parse_toml(files.read(file, "scene"), path);
   const StrictTable root(document, "the scene", {"frame", "camera", "light", "object"});
   if (const TomlValue* frame = root.find("frame")) read_frame(*frame, scene);
   if (const TomlValue* camera = root.find("camera")) {
@@ -85,32 +86,7 @@ void read_scene_file(const std::string& path, InputFiles& files, TextureStore& t
     throw Error({"the scene has " + std::to_string(lights.size()) + " lights", lights[most_lights].where, "allowed 1 to 8", "remove some"});
   }
   for (const auto& light : lights) scene.lights.push_back(read_light(light));
-  for (const auto& object : tables_of(root, "object", path)) read_object(object, path, files, textures, scene);
-}
-
-/// Camera and light for a bare mesh: the camera in front (+z), a little to the right and above, so that the bounding sphere fills the
-/// frame; the light about 50 degrees to its left, so that relief shows.
-void place_by_bounds(Scene& scene) {
-  glm::dvec3 low(scene.objects[0].mesh->vertices[0].position), high = low;
-  for (const auto& object : scene.objects) {
-    for (const auto& vertex : object.mesh->vertices) {
-      low = glm::min(low, vertex.position);
-      high = glm::max(high, vertex.position);
-    }
-  }
-  scene.camera.target = 0.5 * (low + high);
-  double radius = 0;
-  for (const auto& object : scene.objects) {
-    for (const auto& vertex : object.mesh->vertices) radius = std::max(radius, glm::distance(vertex.position, scene.camera.target));
-  }
-  scene.camera.field_of_view = 35;
-  const double distance = radius / std::sin(0.5 * scene.camera.field_of_view * pi / 180);
-  scene.camera.eye = scene.camera.target + distance * glm::normalize(glm::dvec3(0.35, 0.3, 1));
-  scene.camera.up = glm::dvec3(0, 1, 0);
-  scene.camera.near = 0.01 * radius;
-  Light light;
-  light.vector = glm::normalize(glm::dvec3(-0.5, 0.7, 0.75));
-  scene.lights = {light};
+  for (const auto& object : tables_of(root, "object", path)) read_object(object, file, files, textures, scene);
 }
 
 }  // namespace
@@ -118,28 +94,23 @@ void place_by_bounds(Scene& scene) {
 Scene read_scene(const std::string& path) {
   Scene scene;
   scene.name = std::filesystem::path(path).stem().string();
+  const FileName file = scene_file_name(path);
   InputFiles files;
   TextureStore textures(files, scene.warnings);
   const std::string suffix = suffix_of(path);
   if (suffix == ".obj" || suffix == ".gltf" || suffix == ".glb") {
     MeshSurface surface;
     surface.built_in_relief = true;
-    scene.objects = objects_from_mesh(path, {}, scene.name, surface, files, textures, scene.warnings);
-    place_by_bounds(scene);
+    scene.objects = objects_from_mesh(file, {}, scene.name, surface, files, textures, scene.warnings);
+    place_view(file.shown, scene);
   } else {
     if (suffix != ".toml") {
       read_bytes(path, "scene");  // a file that is not there is the nearer problem
       throw Error({"'" + path + "' is no scene", {path, 0, 0}, "a scene is a .toml file or an .obj mesh", ""});
     }
-    read_scene_file(path, files, textures, scene);
+    read_scene_file(file, files, textures, scene);
   }
   scene.inputs = files.list();
-  // Named from the scene's folder, so that a result does not depend on where the program was called.
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path().lexically_normal();
-  for (auto& input : scene.inputs) {
-    const auto relative = std::filesystem::path(input.path).lexically_normal().lexically_relative(folder.empty() ? "." : folder);
-    if (!relative.empty()) input.path = relative.generic_string();
-  }
   return scene;
 }
 

@@ -34,6 +34,18 @@ std::string given(const TomlValue& value) {
   }
 }
 
+/// The nearest value that is allowed, as it would be written.
+std::string allowed(const TomlValue& value, double low, double high, bool whole) {
+  const double nearest = std::clamp(value.is_number() && !std::isnan(value.number) ? value.number : 0, low, high);
+  return whole ? std::to_string(static_cast<long>(nearest)) : to_string(ParameterValue(nearest));
+}
+
+std::string allowed_list(const TomlValue& list, double low, double high, bool whole) {
+  std::vector<std::string> items;
+  for (const auto& item : list.items) items.push_back(allowed(item, low, high, whole));
+  return "[" + joined(items) + "]";
+}
+
 }  // namespace
 
 StrictTable::StrictTable(const TomlValue& value, std::string name, std::vector<std::string> keys) : value_(value), name_(std::move(name)) {
@@ -67,18 +79,18 @@ const TomlValue& StrictTable::required(const std::string& key) const {
   return entry->value;
 }
 
-double StrictTable::checked(const std::string& key, const TomlValue& value, double low, double high, bool whole) const {
+double StrictTable::checked(const std::string& key, const TomlValue& value, double low, double high, bool whole,
+                            const TomlValue* list) const {
   const std::string full = name_ + "." + key;
   const std::string wanted = whole ? "a whole number" : "a number";
+  const std::string advice = list != nullptr ? key + " = " + allowed_list(*list, low, high, whole) : wanted + " from " + range(low, high);
   if (!value.is_number() || (whole && value.kind != TomlValue::Kind::integer)) {
-    throw Error({full + " cannot be " + given(value), value.where, "it takes " + wanted, wanted + " from " + range(low, high)});
+    throw Error({full + " cannot be " + given(value), value.where, "it takes " + wanted + (list != nullptr ? "s" : ""), advice});
   }
-  if (!std::isfinite(value.number)) {
-    throw Error({full + " is " + given(value), value.where, "it must be finite", wanted + " from " + range(low, high)});
-  }
+  if (!std::isfinite(value.number)) throw Error({full + " is " + given(value), value.where, "it must be finite", advice});
   if (value.number < low || value.number > high) {
     throw Error({full + " = " + given(value) + " is out of range", value.where, "allowed " + range(low, high),
-                 key + " = " + to_string(ParameterValue(std::clamp(value.number, low, high)))});
+                 key + " = " + (list != nullptr ? allowed_list(*list, low, high, whole) : allowed(value, low, high, whole))});
   }
   return value.number;
 }
@@ -102,8 +114,8 @@ glm::dvec3 StrictTable::vector(const std::string& key, double low, double high) 
            value.kind == TomlValue::Kind::array ? "it has " + std::to_string(value.items.size()) : "it is " + kind_name(value.kind),
            key + " = [0.0, 0.0, 1.0]");
   }
-  return glm::dvec3(checked(key, value.items[0], low, high, false), checked(key, value.items[1], low, high, false),
-                    checked(key, value.items[2], low, high, false));
+  return glm::dvec3(checked(key, value.items[0], low, high, false, &value), checked(key, value.items[1], low, high, false, &value),
+                    checked(key, value.items[2], low, high, false, &value));
 }
 
 glm::dvec3 StrictTable::vector(const std::string& key, const glm::dvec3& fallback, double low, double high) const {
@@ -118,7 +130,7 @@ std::pair<double, double> StrictTable::pair(const std::string& key, std::pair<do
     return {both, both};
   }
   if (value->items.size() != 2) reject(key, "must be one number or a list of two", "", key + " = [1.0, 1.0]");
-  return {checked(key, value->items[0], low, high, false), checked(key, value->items[1], low, high, false)};
+  return {checked(key, value->items[0], low, high, false, value), checked(key, value->items[1], low, high, false, value)};
 }
 
 std::pair<int, int> StrictTable::integer_pair(const std::string& key, std::pair<int, int> fallback, int low, int high) const {
@@ -129,8 +141,8 @@ std::pair<int, int> StrictTable::integer_pair(const std::string& key, std::pair<
     return {both, both};
   }
   if (value->items.size() != 2) reject(key, "must be one whole number or a list of two", "", key + " = [64, 32]");
-  return {static_cast<int>(checked(key, value->items[0], low, high, true)),
-          static_cast<int>(checked(key, value->items[1], low, high, true))};
+  return {static_cast<int>(checked(key, value->items[0], low, high, true, value)),
+          static_cast<int>(checked(key, value->items[1], low, high, true, value))};
 }
 
 std::string StrictTable::text(const std::string& key) const {

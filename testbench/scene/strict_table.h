@@ -50,7 +50,9 @@ class StrictTable {
 
  private:
   const TomlValue& required(const std::string& key) const;
-  double checked(const std::string& key, const TomlValue& value, double low, double high, bool whole) const;
+  /// `list` is the list that the value is an item of, for the advice.
+  double checked(const std::string& key, const TomlValue& value, double low, double high, bool whole,
+                 const TomlValue* list = nullptr) const;
   std::string checked_word(const std::string& key, const TomlValue& value, const std::vector<std::string>& words) const;
 
   const TomlValue& value_;

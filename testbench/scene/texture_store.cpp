@@ -40,11 +40,11 @@ BumpTextures TextureStore::from_heights(const FileName& file, double scale, cons
   return bump;
 }
 
-BumpTextures TextureStore::from_normals(const FileName& file, bool green_down, const Wrap& wrap, const Location& from,
-NamedBy named_by) {
+BumpTextures TextureStore::from_normals(const FileName& file, bool green_down, const Wrap& wrap, const Location& from, NamedBy named_by) {
   BumpTextures& bump = bumps_[key_of("normals", file.path, green_down ? 1 : 0, wrap)];
   if (!bump.normals) {
-    bump = {std::make_shared<const Texture>(normals_from_map(image(file, from), file, green_down, wrap, from, warnings_, named_by)), nullptr};
+    bump = {std::make_shared<const Texture>(normals_from_map(image(file, from), file, green_down, wrap, from, warnings_, named_by)),
+            nullptr};
   }
   return bump;
 }

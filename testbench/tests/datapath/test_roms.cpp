@@ -1,7 +1,9 @@
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -176,4 +178,54 @@ TEST_CASE("a folder that cannot be written is the user's error, with its path") 
     CHECK(error.kind() == ErrorKind::input);
     CHECK_THAT(error.what(), Catch::Contains(folder.name()));
   }
+}
+
+TEST_CASE("a failure leaves the whole earlier set of images, and gives the system's reason") {
+  const Folder folder;
+  const std::vector<RomSource> before = random_sources(57), after = random_sources(58);
+  const std::string failure = GENERATE(as<std::string>{}, "no room", "a folder in the way");
+  write_roms(before, folder.name());
+  std::ofstream(folder.file("notes.txt")) << "keep";
+  if (failure == "a folder in the way") {
+    std::filesystem::remove(folder.file("scheme_T5.hex"));
+    std::filesystem::create_directory(folder.file("scheme_T5.hex"));
+  }
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = old;
+  if (failure == "no room") small.rlim_cur = rom_files(after).at("manifest.json").size() - 1;
+  setrlimit(RLIMIT_FSIZE, &small);
+  std::string message;
+  try {
+    write_roms(after, folder.name());
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, handler);
+
+  CHECK_THAT(message, Catch::Contains(failure == "no room" ? "File too large" : "Is a directory") && Catch::Contains("try: "));
+  for (const auto& [name, contents] : rom_files(before))
+    if (failure == "no room" || name != "scheme_T5.hex") CHECK(read_file(folder.file(name)) == contents);
+  std::vector<std::string> held;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.name())) held.push_back(entry.path().filename().string());
+  CHECK(held.size() == rom_files(before).size() + 1);
+}
+
+TEST_CASE("a new folder of images that cannot be filled does not appear") {
+  const Folder folder;
+  const std::vector<RomSource> sources = random_sources(59);
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = old;
+  small.rlim_cur = rom_files(sources).at("manifest.json").size() - 1;
+  setrlimit(RLIMIT_FSIZE, &small);
+  CHECK_THROWS_WITH(write_roms(sources, folder.name()), Catch::Contains("File too large"));
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, handler);
+  CHECK(std::filesystem::is_empty(std::filesystem::path(folder.name()).parent_path()));
+  write_roms(sources, folder.name());
+  CHECK(outdated_roms(sources, folder.name()).empty());
 }

@@ -1,6 +1,7 @@
 // Every wrong input ends with code 2 and a text that says what, where and what to try; nothing is written.
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "program_runner.h"
 
@@ -25,7 +26,12 @@ TEST_CASE("wrong arguments and settings are explained") {
   const Case cases[] = {
       {"", "subcommand"},
       {"run", "scene"},
-      {"rnu scene.toml", ""},
+      {"rnu scene.toml", "try: bumpsim run"},
+      {"frob", "there is no command 'frob'"},
+      {"frob", "run, list, describe"},
+      {"run scene.toml --out ''", "--out"},
+      {"run scene.toml --out=", "--out"},
+      {"luts --out ''", "--out"},
       {"run scene.toml --frobnicate", "frobnicate"},
       {"run nowhere.toml", "nowhere.toml"},
       {"run world_spere", "world_sphere"},
@@ -97,4 +103,53 @@ TEST_CASE("a text that is not a scene is explained with its place") {
       CHECK_FALSE(fs::exists(folder.path() / "out"));
     }
   }
+}
+
+TEST_CASE("with --json a failure is one document on stdout, and still a text on stderr") {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", small_scene());
+  folder.write("misspelt.toml", "[fifos]\ndepht = 3\n");
+  const std::string stuck = " --set texture_fetch.batch=8 --set fifos.interpolators_to_texture_fetch=5";
+  const struct {
+    std::string arguments;
+    int code;
+    const char* status;
+  } cases[] = {
+      {"run nowhere.toml --json", 2, "error"},
+      {"run scene.toml --json --frobnicate", 2, "error"},
+      {"frob --json", 2, "error"},
+      {"run scene.toml --json --config misspelt.toml", 2, "error"},
+      {"check nowhere.toml --json", 2, "error"},
+      {"describe fifo --json", 2, "error"},
+      {"list pictures --json", 2, "error"},
+      {"luts --out /proc/luts --json", 2, "error"},
+      {"probe lee2009 environment --json", 2, "error"},
+      {"run scene.toml --json --no-quality" + stuck, 3, "deadlock"},
+  };
+  for (const auto& wrong : cases) {
+    const Outcome outcome = bumpsim(wrong.arguments, folder.path());
+    INFO(wrong.arguments << "\n" << outcome.out << outcome.err);
+    CHECK(outcome.code == wrong.code);
+    REQUIRE(nlohmann::json::accept(outcome.out));
+    const nlohmann::json document = nlohmann::json::parse(outcome.out);
+    CHECK(document["status"] == wrong.status);
+    CHECK(outcome.err.find(document["error"]["what"].get<std::string>()) != std::string::npos);
+    for (const char* part : {"file", "line", "column", "why", "try"}) CHECK(document["error"].contains(part));
+  }
+  const auto error = nlohmann::json::parse(bumpsim("run scene.toml --json --config misspelt.toml", folder.path()).out)["error"];
+  CHECK(error["file"] == "misspelt.toml");
+  CHECK(error["line"] == 2);
+}
+
+TEST_CASE("a symbolic link to nothing is no place for a result") {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", small_scene());
+  fs::create_symlink("nothing", folder.path() / "link");
+  for (const std::string out : {"link", "link/below"}) {
+    const Outcome outcome = bumpsim("run scene.toml --out " + out, folder.path());
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.find("link") != std::string::npos);
+  }
+  CHECK(fs::is_symlink(folder.path() / "link"));
 }

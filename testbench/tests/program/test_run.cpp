@@ -96,6 +96,11 @@ TEST_CASE("an existing result is replaced only with --force, and nothing else ev
   fs::create_directory(folder.path() / "mine");
   folder.write("mine/notes.txt", "precious");
   CHECK(bumpsim("run scene.toml --out mine --force", folder.path()).code == 2);
+  folder.write("r/notes.txt", "precious");
+  const Outcome kept = bumpsim("run scene.toml --out r --force", folder.path());
+  CHECK(kept.code == 2);
+  CHECK(kept.err.find("notes.txt") != std::string::npos);
+  CHECK(read_file(folder.path() / "r/notes.txt") == "precious");
   CHECK(read_file(folder.path() / "mine/notes.txt") == "precious");
 }
 
@@ -136,6 +141,22 @@ TEST_CASE("the clocked engine writes waveforms and the dated one says why it can
   CHECK(refused.code == 2);
   CHECK(refused.err.find("--engine stepped") != std::string::npos);
   CHECK(bumpsim("run scene.toml --engine stepped --trace /nowhere/waves.vcd --out r3", folder.path()).code == 2);
+}
+
+TEST_CASE("a run goes on when its warnings cannot be printed") {
+  const TemporaryFolder folder;
+  std::string scene = small_scene();
+  const std::string target = "target = [0, 0, 0]";
+  scene.replace(scene.find(target), target.size(), "target = [0, -99, 0]");  // looks away: nothing is seen, which is warned of
+  folder.write("scene.toml", scene);
+  CHECK(bumpsim("run scene.toml --no-quality --out seen", folder.path()).err.find("warning") != std::string::npos);
+  for (const std::string stream : {"2>/dev/full", "2>&-"}) {
+    INFO(stream);
+    CHECK(bumpsim("run scene.toml --no-quality --force --out r " + stream, folder.path()).code == 0);
+  }
+  // A pipe that nobody reads.
+  bumpsim("run scene.toml --no-quality --out piped", folder.path(), "sh -c '\"$@\" 2>&1 >/dev/null | true' sh");
+  CHECK(fs::exists(folder.path() / "piped/result.json"));
 }
 
 TEST_CASE("a full disk or an unwritable place is an error and leaves nothing half-written") {

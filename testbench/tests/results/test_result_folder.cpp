@@ -92,6 +92,37 @@ TEST_CASE("a folder with anything else in it is never touched, not even by force
   CHECK(work.names() == std::vector<std::string>{"mine"});
 }
 
+TEST_CASE("a result that something was added to is not replaced, and the addition is named") {
+  const Workspace work;
+  const Sample sample;
+  write_result(work / "out", sample.report, false);
+  const std::string before = read(work / "out/result.json");
+  const std::string added = GENERATE(as<std::string>{}, "notes.txt", "frame.png", "old");
+  if (added == "notes.txt") std::ofstream(work / "out/notes.txt") << "keep";
+  if (added == "old") fs::create_directory(work / "out/old");
+  if (added == "frame.png") {
+    fs::remove(work / "out/frame.png");
+    fs::create_symlink("elsewhere.png", work / "out/frame.png");
+  }
+  CHECK_THROWS_WITH(check_output_folder(work / "out", true), Catch::Contains("out/" + added));
+  CHECK_THAT(message_of(work / "out", sample.report, true), Catch::Contains("out/" + added));
+  CHECK(fs::exists(fs::symlink_status(work / ("out/" + added))));
+  CHECK(read(work / "out/result.json") == before);
+  CHECK(work.names() == std::vector<std::string>{"out"});
+}
+
+TEST_CASE("a symbolic link is followed to a folder and refused when it leads nowhere") {
+  const Workspace work;
+  const Sample sample;
+  fs::create_symlink("target", work / "link");
+  CHECK_THROWS_WITH(check_output_folder(work / "link", false), Catch::Contains("symbolic link to nothing"));
+  CHECK_THROWS_WITH(check_output_folder(work / "link/below", false), Catch::Contains("is not a folder"));
+  fs::create_directory(work / "target");
+  write_result(work / "link", sample.report, false);
+  CHECK(fs::exists(work / "target/result.json"));
+  CHECK(fs::is_symlink(work / "link"));
+}
+
 TEST_CASE("a file in the way is an error, as the folder and as a parent of it") {
   const Workspace work;
   const Sample sample;

@@ -83,10 +83,22 @@ TEST_CASE("damaged lines are errors with their number") {
 }
 
 TEST_CASE("coordinates that are not finite are errors with their line") {
-  const auto number = GENERATE(as<std::string>(), "nan", "inf", "-inf", "1e999", "-1e31");
+  const auto number = GENERATE(as<std::string>(), "nan", "inf", "-inf");
   const ErrorText error = error_in("v 0 0 0\nv 1 " + number + " 0\n");
   CHECK(error.what == "'" + number + "' is not a finite coordinate");
   CHECK(to_string(error.where) == "m.obj:2");
+}
+
+TEST_CASE("coordinates out of range are errors with the range, and too small ones are zero") {
+  const auto number = GENERATE(as<std::string>(), "1e999", "-1e31", "1e308", "-1E+308", "1e31");
+  const ErrorText error = error_in("v 0 0 0\nv 1 " + number + " 0\n");
+  CHECK(error.what == "'" + number + "' is out of range");
+  CHECK(error.why == "coordinates are allowed from -1e30 to 1e30");
+  CHECK(to_string(error.where) == "m.obj:2");
+  for (const std::string tiny : {"1e-999", "-1E-999"}) {
+    std::vector<std::string> warnings;
+    CHECK(build("v 0 " + tiny + " 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", warnings).vertices[0].position == glm::dvec3(0));
+  }
 }
 
 TEST_CASE("a mesh without vertices, without faces, or binary, is refused") {

@@ -292,6 +292,36 @@ TEST_CASE("a normal map beside its height map is checked against it, and shades 
   CHECK(warns_of(read(folder, text.all()).warnings, "contradicts the heights"));
 }
 
+TEST_CASE("the advice for a list is a list that is accepted in its place") {
+  struct Case {
+    std::string key, list, advice;
+  };
+  SceneText text;
+  const auto check = [&](std::string& part, const Case& wrong) {
+    const std::string before = part;
+    part = before + wrong.key + " = " + wrong.list + "\n";
+    CHECK(error_in(text.all()).try_this == wrong.key + " = " + wrong.advice);
+    part = before + wrong.key + " = " + wrong.advice + "\n";
+    const TemporaryFolder folder;
+    CHECK_NOTHROW(read(folder, text.all()));
+    part = before;
+  };
+  text.camera = "[camera]\n";
+  check(text.camera, {"eye", "[0, 0, 1e308]", "[0, 0, 1e+09]"});
+  check(text.camera, {"eye", "[-inf, 2.5, 1]", "[-1e+09, 2.5, 1]"});
+  check(text.camera, {"eye", "[true, nan, 3]", "[0, 0, 3]"});
+  text = {};
+  text.light = "[[light]]\n";
+  check(text.light, {"direction", "[0, 1e10, 1]", "[0, 1e+09, 1]"});
+  text = {};
+  check(text.object, {"translate", "[\"x\", 1, 2]", "[0, 1, 2]"});
+  check(text.object, {"colour", "[0.5, 2, -1]", "[0.5, 1, 0]"});
+  check(text.object, {"size", "[0, 3]", "[1e-06, 3]"});
+  check(text.object, {"tessellation", "[0, 5000]", "[1, 1024]"});
+  check(text.object, {"tessellation", "[4, 2.5]", "[4, 2]"});
+  check(text.object, {"tessellation", "5000", "1024"});
+}
+
 TEST_CASE("scene files that are missing, empty, damaged or of another kind are refused") {
   const TemporaryFolder folder;
   CHECK(error_of([&] { read_scene(folder.path("none.toml")); }).what.find("does not exist") != std::string::npos);
