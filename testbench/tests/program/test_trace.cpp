@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -81,11 +82,14 @@ TEST_CASE("an interruption leaves no half-written waveforms, by whatever signal"
   const TemporaryFolder folder;
   folder.write("scene.toml", "[frame]\nwidth = 4096\nheight = 4096\n" + small_scene().substr(small_scene().find("[camera]")));
   for (const std::string signal : {"INT", "TERM", "HUP"}) {
-    // The frame takes many seconds; the signal comes long before. env: a shell may have told its jobs to ignore signals.
-    const Outcome outcome = bumpsim(stepped + "--out r --trace waves.vcd", folder.path(),
-                                    "timeout --preserve-status -s " + signal + " 0.5 env --default-signal=INT,HUP,TERM");
+    // The frame takes many seconds; the signal comes long before, and to the foreground only once. env: a shell may have told its jobs to
+    // ignore signals.
+    const Outcome outcome = bumpsim(stepped + "--json --out r --trace waves.vcd", folder.path(),
+                                    "timeout --foreground --preserve-status -s " + signal + " 0.5 env --default-signal=INT,HUP,TERM");
     INFO(signal << "\n" << outcome.err);
     CHECK(outcome.code == 130);
+    REQUIRE(nlohmann::json::accept(outcome.out));
+    CHECK(nlohmann::json::parse(outcome.out)["status"] == "interrupted");
     CHECK(names(folder.path()) == std::vector<std::string>{"scene.toml"});
   }
 }
