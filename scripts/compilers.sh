@@ -14,7 +14,8 @@ for scene in scenes/*.toml; do
   name=$(basename "$scene" .toml)
   for scheme in $schemes; do
     for build in build build-clang; do
-      "$build/bumpsim" run "$scene" --scheme "$scheme" --out "$work/$build" --force >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+      rm -rf "${work:?}/$build"
+      "$build/bumpsim" run "$scene" --scheme "$scheme" --out "$work/$build" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
     done
     # `host` is the last member of result.json, and the only one that may differ.
     for build in build build-clang; do sed -i '/^  "host": {/,$d' "$work/$build/result.json"; done

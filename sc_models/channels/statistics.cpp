@@ -12,7 +12,7 @@ std::vector<StatisticMeaning> statistic_meanings() {
       {"stage", "starved", "cycles", "unit free, an input empty (or a batch not gathered)", "sum max(free(k), arrived(k)) - free(k)"},
       {"stage", "blocked_room", "cycles", "unit free, inputs there, but all in-flight slots taken", "sum s(k) - max(free(k), arrived(k))"},
       {"stage", "blocked_output", "cycles", "oldest result ready, but an output FIFO full", "sum w(k) - d(k)"},
-      {"stage", "last_delivery", "cycles", "cycle in which the last token left, -1 without tokens", "w(last)"},
+      {"stage", "last_delivery", "cycles", "cycle in which the last token left; absent without tokens", "w(last)"},
 
       {"fifo", "depth", "tokens", "slots", ""},
       {"fifo", "items", "tokens", "items that passed the FIFO", ""},

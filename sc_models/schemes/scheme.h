@@ -68,11 +68,18 @@ struct Design {
   BumpEncoding map;
   std::vector<DeliveredDirection> directions;
   /// PSNR of fixed point against the scheme's own double evaluation that these widths guarantee, for one light of intensity 1 and a white texel: a
-  /// run whose picture is worse fails its self-check. Pixels at a jump of the formula are left out.
+  /// run whose picture is worse fails its self-check. Pixels named by `jumps` and `least` are left out.
   double quantisation_floor_db = 0;
   /// Flags of the environment netlist, by node name, at which the formula itself jumps: where fixed point and double decide them
   /// differently, an arbitrarily small rounding makes an arbitrarily large error.
   std::vector<std::string> jumps;
+  /// Nodes of the environment netlist, by name, below whose least value (in double precision) the bound does not hold: vectors that interpolation
+  /// has shortened to almost nothing.
+  struct Least {
+    std::string node;
+    double value;
+  };
+  std::vector<Least> least;
 };
 
 /// Where a scheme comes from, for `list`, `describe` and the reports.

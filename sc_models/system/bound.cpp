@@ -1,6 +1,7 @@
 #include "system/bound.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bump {
 
@@ -50,6 +51,7 @@ Bound lower_bound(const TimingGraph& graph, const TimingResult& result, const st
     if (seen.requests > 0) offer(static_cast<double>((seen.requests - 1) * spec.cycles_per_line + spec.latency), spec.name + ": bandwidth");
     offer(static_cast<double>(seen.requests) * static_cast<double>(spec.latency + 1) / spec.outstanding, spec.name + ": outstanding misses");
   }
+  bound.cycles = std::ceil(bound.cycles);
   return bound;
 }
 

@@ -4,7 +4,7 @@
 
 namespace bump {
 
-DatapathUnit::DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select, const std::vector<std::string>& jumps)
+DatapathUnit::DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select, bool mark)
     : context_(std::move(context)) {
   const Netlist* first = select(context_->designs.front());
   if (first == nullptr) return;
@@ -18,12 +18,27 @@ DatapathUnit::DatapathUnit(std::shared_ptr<const PipelineContext> context, Selec
     for (const Netlist::Port& port : first->outputs()) ports.outputs.push_back(context_->plane(port.name, light));
     ports_.push_back(std::move(ports));
   }
-  for (const std::string& name : jumps) {
-    jumps_.push_back(first->find(name));
-    BUMP_ASSERT(jumps_.back() >= 0);
+  if (mark) {
+    const auto node = [&](const std::string& name) {
+      const int found = first->find(name);
+      BUMP_ASSERT(found >= 0);
+      return found;
+    };
+    for (const std::string& name : context_->designs.front().jumps) jumps_.push_back(node(name));
+    for (const Design::Least& least : context_->designs.front().least) least_.emplace_back(node(least.node), least.value);
   }
   inputs_.resize(first->inputs().size());
   outputs_.resize(first->outputs().size());
+}
+
+void DatapathUnit::mark_diverged(FragmentBlock& block, std::size_t design) const {
+  const Evaluator &hardware = *hardware_[design], &exact = *exact_[design];
+  for (int lane = 0; lane < block.lanes; ++lane) {
+    bool diverged = false;
+    for (const int flag : jumps_) diverged = diverged || hardware.value(flag, lane) != exact.value(flag, lane);
+    for (const auto& [node, least] : least_) diverged = diverged || exact.value(node, lane) < least;
+    if (diverged) block.diverged[static_cast<std::size_t>(lane)] = 1;
+  }
 }
 
 void DatapathUnit::process(FragmentBlock& block) {
@@ -38,10 +53,7 @@ void DatapathUnit::process(FragmentBlock& block) {
     for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i] = context_->exact_plane(block, ports.inputs[i]).data();
     for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = block.exact[static_cast<std::size_t>(ports.outputs[i])].data();
     exact_[design]->evaluate(inputs_.data(), block.lanes, outputs_.data());
-    for (const int flag : jumps_) {
-      for (int lane = 0; lane < block.lanes; ++lane)
-        if (hardware_[design]->value(flag, lane) != exact_[design]->value(flag, lane)) block.diverged[static_cast<std::size_t>(lane)] = 1;
-    }
+    mark_diverged(block, design);
   }
 }
 

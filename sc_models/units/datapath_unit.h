@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "datapath/evaluate.h"
@@ -18,14 +18,16 @@ class DatapathUnit {
   /// Picks the unit's netlist out of a design; null if the design has none, and the unit then does nothing.
   using Select = const Netlist* (*)(const Design&);
 
-  /// `jumps`: flags of the netlist, by node name, whose decisions are compared between the two evaluations (FragmentBlock::diverged).
-  DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select, const std::vector<std::string>& jumps = {});
+  /// `mark`: fill in FragmentBlock::diverged from the design's `jumps` and `least`, which name nodes of this netlist.
+  DatapathUnit(std::shared_ptr<const PipelineContext> context, Select select, bool mark = false);
   void process(FragmentBlock& block);
 
   /// Times the whole netlist was executed: fragments times lights.
   std::int64_t executions() const { return executions_; }
 
  private:
+  void mark_diverged(FragmentBlock& block, std::size_t design) const;
+
   /// The planes of one light, in the order of the netlist's ports.
   struct Ports {
     std::vector<int> inputs, outputs;
@@ -36,7 +38,8 @@ class DatapathUnit {
   std::vector<Ports> ports_;                                  ///< one per light
   std::vector<const double*> inputs_;
   std::vector<double*> outputs_;
-  std::vector<int> jumps_;  ///< nodes
+  std::vector<int> jumps_;                      ///< nodes
+  std::vector<std::pair<int, double>> least_;  ///< nodes and their least values
   std::int64_t executions_ = 0;
 };
 

@@ -11,7 +11,7 @@ const Netlist* environment_of(const Design& design) {
 }  // namespace
 
 EnvironmentUnit::EnvironmentUnit(std::shared_ptr<const PipelineContext> context)
-    : datapath_(context, environment_of, context->designs.front().jumps), meter_(context) {}
+    : datapath_(context, environment_of, true), meter_(context) {}
 
 void EnvironmentUnit::process(FragmentBlock& block) {
   block.diverged.fill(0);

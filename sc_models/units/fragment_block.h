@@ -39,7 +39,7 @@ struct FragmentBlock {
   Lanes u{}, v{};
   Lanes dudx{}, dvdx{}, dudy{}, dvdy{};  ///< change of u and v from pixel to pixel, memory/level_of_detail.h
 
-  std::array<std::uint8_t, block_lanes> diverged{};  ///< 1 where hardware and double evaluation stand on different sides of a Design::jumps
+  std::array<std::uint8_t, block_lanes> diverged{};  ///< 1 where Design::jumps or Design::least take the pixel out of the stated bound
 
   std::vector<Lanes> hardware;  ///< planes by index (PlaneMap), as the simulated hardware holds them
   /// The same in double precision; empty when the arithmetic is double anyway. Planes that both share (PipelineContext::shared_planes) are

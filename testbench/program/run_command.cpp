@@ -96,9 +96,9 @@ void check_stated_bound(const RunReport& report) {
   const Quality quality = compare_frames(continuous, result.exact);
   const double floor = result.quantisation_floor_db;
   if (quality.pixels == 0) return;
-  const double error = std::pow(10, -quality.psnr_db / 20), stated = std::pow(10, -floor / 20);
+  const double error = std::pow(10, -quality.psnr_db / 20), stated = std::min(1.0, std::pow(10, -floor / 20));
   const bool resembles = *std::max_element(quality.nmse.begin(), quality.nmse.end()) <= 0.1;
-  if (error <= stated && (resembles || error <= std::max(0.02, stated / 3))) return;
+  if (error <= stated && (resembles || error <= std::clamp(stated / 3, 0.02, 0.1))) return;
   throw Error(ErrorKind::self_check,
               {fmt::format("self-check failed: the fixed-point picture is {:.1f} dB from the scheme's own double evaluation", quality.psnr_db), {},
                fmt::format("{} states at least {:.1f} dB for these widths", report.scheme->page().id, floor), "wider words, or report this as a fault of the scheme"});

@@ -84,13 +84,20 @@ Json configuration_json(const Configuration& configuration) {
   return json;
 }
 
+/// What the scheme states for its widths; null where nothing was compared with it, or where it excludes nothing (bright lights).
+Json stated_floor(const RunReport& report) {
+  const bool applies = report.against_double && report.against_double->pixels > 0 && report.against_double->max_error > 0;
+  const double floor = report.result->quantisation_floor_db;
+  return applies && floor > 0 ? number(floor) : Json(nullptr);
+}
+
 Json quality_json(const RunReport& report) {
   const auto optional = [](const std::optional<Quality>& quality) { return quality ? to_json(*quality) : Json(nullptr); };
   return {{"against_reference", optional(report.against_reference)},
           {"against_double", optional(report.against_double)},
           {"against_blinn", optional(report.against_blinn)},
           {"double_against_reference", optional(report.double_against_reference)},
-          {"quantisation_floor_db", number(report.result->quantisation_floor_db)}};
+          {"quantisation_floor_db", stated_floor(report)}};
 }
 
 }  // namespace

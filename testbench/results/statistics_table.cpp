@@ -76,7 +76,7 @@ void add_unit(Rows& rows, const UnitCost& unit) {
 void add_quality(Rows& rows, const std::string& name, const std::optional<Quality>& quality) {
   if (!quality) return;
   rows.module("quality." + name);
-  rows.add("psnr_db", quality->psnr_db, "dB");
+  rows.add("psnr_db", std::isinf(quality->psnr_db) ? std::nan("") : quality->psnr_db, "dB");  // identical pictures have none
   for (std::size_t c = 0; c < 3; ++c) {
     const std::string channel(1, "rgb"[c]);
     rows.add("nmse_" + channel, quality->nmse[c], "1");

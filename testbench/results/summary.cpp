@@ -188,6 +188,8 @@ class Summary {
       quality_line("hardware / scheme in double", report_.against_double);
       quality_line("scheme in double / reference", report_.double_against_reference);
       quality_line("hardware / Blinn from heights", report_.against_blinn);
+    } else {
+      text_ += heading("image quality: not measured");
     }
     if (result_.angular_errors.empty()) return;
     text_ += heading("angle from the exact vector, degrees");

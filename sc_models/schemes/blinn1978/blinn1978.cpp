@@ -34,7 +34,7 @@ class Blinn1978 : public Scheme {
     design.environment = environment_unit(p);
     design.illumination = vector_illumination_unit(p.widths, material);
     design.map = slope_map(p.slopes, "u", "v", -1);  // a surface that rises along u leans its normal back
-    design.quantisation_floor_db = direction_floor_db(p.widths, p.slopes.texel().step(), material);
+    state_direction_bound(design, p.widths, p.slopes.texel().step(), material);
     return design;
   }
 };

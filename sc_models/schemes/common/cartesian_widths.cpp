@@ -26,4 +26,15 @@ double direction_floor_db(const CartesianWidths& widths, double texel_step, cons
   return std::max(3.0, -20 * std::log10(direction * angular_slope(material) + light_table_error(material, widths.light_table_bits)));
 }
 
+void state_direction_bound(Design& design, const CartesianWidths& widths, double texel_step, const Material& material) {
+  constexpr double quarter_squared = 1.0 / 16;
+  const std::string suffix = "_unit.squared";
+  design.quantisation_floor_db = direction_floor_db(widths, texel_step, material);
+  for (const Node& node : design.environment.nodes()) {
+    const std::string& name = node.name;
+    if (name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
+      design.least.push_back({name, quarter_squared});
+  }
+}
+
 }  // namespace bump

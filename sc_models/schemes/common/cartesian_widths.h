@@ -6,6 +6,7 @@
 
 #include "channels/parameters.h"
 #include "datapath/format.h"
+#include "schemes/scheme.h"
 #include "units/scene.h"
 
 namespace bump {
@@ -35,5 +36,8 @@ CartesianWidths read_widths(const Configuration& configuration, const std::strin
 /// for e the worst error of a direction by words, map and root table (radians; the floor takes it as if every pixel had it), s the angular
 /// slope of the material and t the error of its light table; at least 3. `texel_step` is one unit of the map's last place.
 double direction_floor_db(const CartesianWidths& widths, double texel_step, const Material& material);
+/// Sets the design's stated bound to it, and leaves out pixels at which a normaliser ("..._unit") gets a vector shorter than 1/4. The environment
+/// netlist must be recorded already.
+void state_direction_bound(Design& design, const CartesianWidths& widths, double texel_step, const Material& material);
 
 }  // namespace bump

@@ -33,7 +33,7 @@ Design high_end_design(const ErnstParameters& p, const Material& material) {
   using Of = DeliveredDirection::Of;
   design.directions = {{Of::light, DeliveredDirection::Frame::tangent, {"L_unit.x", "L_unit.y", "L_unit.z"}},
                        {Of::half, DeliveredDirection::Frame::tangent, {"H_unit.x", "H_unit.y", "H_unit.z"}}};
-  design.quantisation_floor_db = direction_floor_db(p.widths, p.slopes.texel().step(), material);
+  state_direction_bound(design, p.widths, p.slopes.texel().step(), material);
   return design;
 }
 

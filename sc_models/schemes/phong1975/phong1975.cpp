@@ -43,7 +43,7 @@ class Phong1975 : public Scheme {
     design.illumination = vector_illumination_unit(widths, material);
     design.map.encode = [](const glm::dvec3&, double*) {};
     design.map.note = "no bump map is read";
-    design.quantisation_floor_db = direction_floor_db(widths, 0, material);
+    state_direction_bound(design, widths, 0, material);
     return design;
   }
 };
