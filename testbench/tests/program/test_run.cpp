@@ -124,7 +124,7 @@ TEST_CASE("an interrupted run leaves nothing behind and ends with code 130") {
   const TemporaryFolder folder;
   folder.write("scene.toml", "[frame]\nwidth = 4096\nheight = 4096\n" + small_scene().substr(small_scene().find("[camera]")));
   // The frame takes many seconds; the signal comes long before.
-  const Outcome outcome = bumpsim("run scene.toml --engine stepped --out r", folder.path(), "timeout --preserve-status -s INT 0.7");
+  const Outcome outcome = bumpsim("run scene.toml --engine stepped --out r", folder.path(), "timeout --preserve-status -s INT 3");
   CHECK(outcome.code == 130);
   CHECK_FALSE(fs::exists(folder.path() / "r"));
   for (const auto& entry : fs::directory_iterator(folder.path())) CHECK(entry.path().filename() == "scene.toml");
