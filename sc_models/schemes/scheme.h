@@ -13,6 +13,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -59,12 +60,34 @@ struct DeliveredDirection {
   std::vector<std::string> planes;  ///< three: Cartesian x, y, z (any length); two: phi, theta in turns
 };
 
+/// Maps that are filled once a frame for the lights of the scene, one set per object, and fetched per pixel at an address that the hardware has just
+/// computed: a dependent fetch, with a cache and a memory port of its own, between environment and illumination unit. Lights and eye count as
+/// infinitely far from the object's centre, and all lights are summed in the maps: the pixel passes the datapaths once, however many lights there are.
+struct LightMaps {
+  struct Map {
+    std::string name;  ///< plane "light.<name>", which the illumination netlist reads, and output of `fill`
+    Format word{};     ///< of a stored entry
+  };
+  std::vector<Map> maps;
+  int address_bits = 20;  ///< 2^address_bits entries in each map
+  /// Per pixel. Reads outputs of the environment netlist, and "light_map.base", the first entry of the object's maps (object * 2^address_bits).
+  /// Outputs: "light_map.entry", an integer: base plus entry; and whatever `direction` needs.
+  Netlist address{"address"};
+  std::vector<std::string> coordinates;  ///< outputs of `address` that mean a direction
+  /// The direction that coordinates mean; and the centre coordinates of an entry. Unit vectors, in the axes of the vertex program.
+  std::function<glm::dvec3(const double* coordinates)> direction;
+  std::function<void(std::int64_t entry, double* coordinates)> centre;
+  /// Real-valued, once per entry and light: N.x N.y N.z (the direction), L.x .. L.z, H.x .. H.z (unit) to one output per map, for a light of intensity 1.
+  Netlist fill{"frame"};
+};
+
 struct Design {
   Netlist vertex{"vertex"};
   std::vector<Interpolant> interpolants;
   std::optional<Netlist> conversion;  ///< per-pixel work in front of the environment unit that the paper assumes given; reported apart
   Netlist environment{"environment"};
   Netlist illumination{"illumination"};
+  std::optional<LightMaps> light_maps;
   BumpEncoding map;
   std::vector<DeliveredDirection> directions;
   /// PSNR of fixed point against the scheme's own double evaluation that these widths guarantee, for one light of intensity 1 and a white texel: a

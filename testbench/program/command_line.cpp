@@ -99,6 +99,47 @@ int command_line(int argc, char* argv[]) {
   add_json(*command, run.json);
   command->callback([&] { chosen = [&] { return run_command(run); }; });
 
+  const auto add_format = [](CLI::App& to, std::string& format) {
+    to.add_option("--format", format, "text, md, csv or json")->check(CLI::IsMember({"text", "md", "csv", "json"}))->capture_default_str();
+  };
+  const auto add_jobs = [](CLI::App& to, int& jobs) {
+    to.add_option("--jobs", jobs, "simulations side by side (default: one per core); results do not depend on it")->check(CLI::Range(0, 1024))->type_name("N");
+  };
+
+  CompareArguments compare;
+  command = program.add_subcommand("compare", "cost, speed and picture of several schemes on one scene, in one table");
+  command->add_option("scene", compare.scene, "a shipped scene, a scene file (.toml) or a mesh (.obj)")->required()->type_name("SCENE");
+  command->add_option("--schemes", compare.schemes, "ids with commas between, or all")->capture_default_str()->type_name("A,B,...");
+  command->add_option("--engine", compare.engine, "dated or stepped; their numbers are the same")->capture_default_str();
+  add_format(*command, compare.format);
+  command->add_option("--out", compare.out, "folder for the table in every format and a picture of all frames side by side")->type_name("DIR")->check(named());
+  add_configuration(*command, compare.configuration_files, compare.settings);
+  add_jobs(*command, compare.jobs);
+  command->add_flag("--force", compare.force, "replace an earlier comparison in --out");
+  add_json(*command, compare.json);
+  command->callback([&] { chosen = [&] { return compare_command(compare); }; });
+
+  Table1Arguments table1;
+  command = program.add_subcommand("table1", "Table 1 of Lee 2007: operators and tables of every scheme, derived beside published, with reasons");
+  add_format(*command, table1.format);
+  command->add_option("--out", table1.out, "file to write (default: stdout)")->type_name("FILE")->check(named());
+  add_configuration(*command, table1.configuration_files, table1.settings);
+  command->add_flag("--force", table1.force, "replace the file of --out");
+  add_json(*command, table1.json);
+  command->callback([&] { chosen = [&] { return table1_command(table1); }; });
+
+  Table2Arguments table2;
+  command = program.add_subcommand("table2", "Table 2 of Lee 2007: image quality by its measures, measured beside published");
+  add_format(*command, table2.format);
+  command->add_option("--out", table2.out, "file to write (default: stdout)")->type_name("FILE")->check(named());
+  command->add_option("--pictures", table2.pictures, "folder for the images that are compared")->type_name("DIR")->check(named());
+  command->add_flag("--angles", table2.angles, "also with the light at several angles from the viewer");
+  add_configuration(*command, table2.configuration_files, table2.settings);
+  add_jobs(*command, table2.jobs);
+  command->add_flag("--force", table2.force, "replace the file of --out and the pictures");
+  add_json(*command, table2.json);
+  command->callback([&] { chosen = [&] { return table2_command(table2); }; });
+
   ListArguments list;
   command = program.add_subcommand("list", "list schemes and shipped scenes");
   command->add_option("what", list.what, "schemes or scenes (default: both)")->check(CLI::IsMember({"schemes", "scenes"}));
@@ -141,7 +182,7 @@ int command_line(int argc, char* argv[]) {
     return report_failure(ErrorKind::input, bad_usage(program, error, argc, argv), asks_for_json(argc, argv));
   }
 
-  const bool json = run.json || list.json || describe.json || check.json || luts.json || probe.json;
+  const bool json = run.json || compare.json || table1.json || table2.json || list.json || describe.json || check.json || luts.json || probe.json;
   try {
     const int code = chosen();
     if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category());

@@ -21,6 +21,43 @@ struct RunArguments {
 };
 int run_command(const RunArguments& arguments);
 
+struct Table1Arguments {
+  std::string format = "text";  ///< text, md, csv or json
+  std::string out;              ///< file; empty: stdout
+  std::vector<std::string> configuration_files;
+  std::vector<std::string> settings;
+  bool force = false;
+  bool json = false;  ///< short for format json
+};
+int table1_command(const Table1Arguments& arguments);
+
+struct Table2Arguments {
+  std::string format = "text";
+  std::string out;
+  std::string pictures;  ///< folder for the compared images; empty: none
+  std::vector<std::string> configuration_files;
+  std::vector<std::string> settings;
+  bool angles = false;  ///< also sweep the angle between light and viewer
+  int jobs = 0;         ///< processes side by side; 0: one per core
+  bool force = false;
+  bool json = false;
+};
+int table2_command(const Table2Arguments& arguments);
+
+struct CompareArguments {
+  std::string scene;
+  std::string schemes = "all";  ///< ids with commas between, or "all"
+  std::string engine = "dated";
+  std::string format = "text";
+  std::string out;  ///< folder: compare.json, compare.csv, compare.md, compare.png; empty: only the table on stdout
+  std::vector<std::string> configuration_files;
+  std::vector<std::string> settings;
+  int jobs = 0;
+  bool force = false;
+  bool json = false;
+};
+int compare_command(const CompareArguments& arguments);
+
 struct ListArguments {
   std::string what;  ///< "schemes", "scenes", or empty for both
   bool json = false;
