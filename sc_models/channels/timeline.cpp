@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
+#include <optional>
 
+#include "channels/dated_chain.h"
 #include "channels/dated_stage.h"
 #include "channels/deadlock_analysis.h"
 
@@ -25,6 +28,9 @@ struct Timeline::State {
       producers[static_cast<std::size_t>(fifo.to)].push_back(static_cast<std::size_t>(fifo.from));
       consumers[static_cast<std::size_t>(fifo.from)].push_back(static_cast<std::size_t>(fifo.to));
     }
+    std::vector<DatedStage*> in_order;
+    for (DatedStage& each : stages) in_order.push_back(&each);
+    chain.emplace(graph, std::move(in_order));
   }
 
   std::vector<DatedFifo*> pointers(const std::vector<int>& indices) {
@@ -44,13 +50,34 @@ struct Timeline::State {
     do {
       for (bool again = true; again;) {
         again = false;
-        for (std::size_t i = 0; i < stages.size(); ++i)
+        for (std::size_t i = 0; i < stages.size(); ++i) {
+          if (i == chain->first()) again |= pass_chain();
           if (touched[i]) again |= visit(i, false);
+        }
       }
       // Where paths meet again, a stage may have to wait for a start that was left for later.
       for (std::size_t i = 0; i < stages.size(); ++i) visit(i, true);
     } while (std::find(touched.begin(), touched.end(), char{1}) != touched.end());
     for (DatedStage& each : stages) each.drop_delivered();
+  }
+
+  /// Dates the stages in front of the chain as far as its input has room. True if the input holds anything then.
+  bool refill_chain() {
+    const std::size_t first = chain->first();
+    for (const std::size_t previous : producers[first]) touched[previous] = 1;
+    for (bool again = !producers[first].empty(); again;) {
+      again = false;
+      for (std::size_t i = 0; i < first; ++i)
+        if (touched[i]) again |= visit(i, false);
+    }
+    return stages[first].has_input();
+  }
+
+  /// Takes tokens through the chain at the end of the graph. True if a stage in front of it was marked.
+  bool pass_chain() {
+    if (!chain->pass(refill) || chain->first() == stages.size()) return false;
+    for (const std::size_t previous : producers[chain->first()]) touched[previous] = 1;
+    return !producers[chain->first()].empty();
   }
 
   /// Dates what stage i can, and marks its neighbours. True if an earlier stage was marked.
@@ -81,6 +108,8 @@ struct Timeline::State {
   std::deque<DatedFifo> fifos;  // deques: stages hold pointers
   std::deque<DatedMemory> memories;
   std::deque<DatedStage> stages;
+  std::optional<DatedChain> chain;
+  std::function<bool()> refill = [this] { return refill_chain(); };
   std::vector<std::vector<std::size_t>> producers, consumers;  ///< neighbours of each stage
   std::vector<char> touched;                                   ///< stages with new records or newly dated neighbours
   bool finished = false;

@@ -42,12 +42,16 @@ class TokenRuns {
 
   void append(const TokenRecord& record, std::int64_t count) {
     if (count == 0) return;
+    appended_ += count;
     if (!runs_.empty() && same_record(runs_.back().record, record)) {
       runs_.back().count += count;
     } else {
       runs_.push_back({record, count});
     }
   }
+
+  /// Tokens since the beginning.
+  std::int64_t appended() const { return appended_; }
 
   /// Tokens of the cursor's run in front of it; steps to the next run when one is used up. 0 at the end of all records.
   std::int64_t left(Cursor& cursor) const {
@@ -87,6 +91,7 @@ class TokenRuns {
 
   std::vector<TokenRun> runs_;
   std::uint64_t dropped_ = 0;
+  std::int64_t appended_ = 0;
 };
 
 }  // namespace bump

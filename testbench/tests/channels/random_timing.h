@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "channels/timing_graph.h"
@@ -75,18 +76,18 @@ inline TokenRecord random_record(Random& random, const Habits& habits, bool has_
   return record;
 }
 
-inline TimingCase random_case(std::uint64_t seed) {
-  Random random(seed);
+/// Records for a graph; stages without input have up to `tokens` tokens. `habits_of` gives those of a stage.
+template <class HabitsOf>
+TimingCase random_records(TimingGraph graph, std::int64_t tokens, Random& random, const HabitsOf& habits_of) {
   TimingCase result;
-  result.graph = random_graph(random);
-  const auto some = [&](int percent) { return random.chance(50) ? 0 : percent; };
-  const Habits habits{some(20), some(10), some(40), some(20), some(15), some(50)};
+  result.graph = std::move(graph);
 
   std::vector<std::int64_t> items(result.graph.fifos.size(), 0);  // not yet removed
   for (std::size_t i = 0; i < result.graph.stages.size(); ++i) {
     const std::vector<int> inputs = result.graph.inputs_of(static_cast<int>(i));
     const std::vector<int> outputs = result.graph.outputs_of(static_cast<int>(i));
-    std::int64_t free_tokens = inputs.empty() ? random.between(0, 90) : 0;
+    std::int64_t free_tokens = inputs.empty() ? random.between(0, tokens) : 0;
+    const Habits habits = habits_of(i);
     std::vector<TokenRecord> records;
     for (;;) {
       TokenRecord record = random_record(random, habits, result.graph.stages[i].memory >= 0);
@@ -106,6 +107,39 @@ inline TimingCase random_case(std::uint64_t seed) {
     result.records.push_back(std::move(records));
   }
   return result;
+}
+
+inline TimingCase random_case(std::uint64_t seed) {
+  Random random(seed);
+  TimingGraph graph = random_graph(random);
+  const auto some = [&](int percent) { return random.chance(50) ? 0 : percent; };
+  const Habits habits{some(20), some(10), some(40), some(20), some(15), some(50)};
+  return random_records(std::move(graph), 90, random, [&](std::size_t) { return habits; });
+}
+
+/// A long chain, as pipelines are: one stage may take an item several times and give nothing, those behind it hardly ever do.
+inline TimingCase random_chain(std::uint64_t seed) {
+  Random random(seed);
+  TimingGraph graph;
+  const int stages = static_cast<int>(random.between(2, 12));
+  const bool shallow = random.chance(20);
+  for (int i = 0; i < stages; ++i) {
+    StageSpec stage;
+    stage.name = "stage" + std::to_string(i);
+    stage.latency = random.between(1, 30);
+    stage.capacity = random.chance(70) ? stage.latency + 1 : random.one_of({1, 2, 7, 64});
+    if (random.chance(20)) {
+      stage.memory = static_cast<int>(graph.memories.size());
+      graph.memories.push_back({"memory" + std::to_string(i), random.between(1, 4), random.between(1, 60), random.between(1, 6),
+                                static_cast<int>(random.between(1, 9))});
+    }
+    graph.stages.push_back(stage);
+    if (i > 0) graph.fifos.push_back({"fifo" + std::to_string(i), i - 1, i, random.one_of({shallow ? 1 : 2, 2, 3, 4, 8, 16, 64})});
+  }
+  const std::size_t head = static_cast<std::size_t>(random.between(0, 2));
+  const int late = random.chance(15) ? 1 : 0, misses = random.one_of({0, 3, 40}) != 0 ? 10 : 0;
+  return random_records(std::move(graph), 900, random,
+                        [&](std::size_t i) { return i == head ? Habits{15, 0, 60, 10, 10, misses} : Habits{late, 0, late, 3, 3, misses}; });
 }
 
 /// Hands the records of a case to a plane in random blocks of random stages. Returns false once all are handed out.

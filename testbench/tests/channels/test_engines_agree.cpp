@@ -45,6 +45,17 @@ TEST_CASE("both engines and the formulas agree on random pipelines, fourth part"
   require_agreement(4000, 300);
 }
 
+TEST_CASE("the quick ways through a chain agree with the formulas, however the records arrive") {
+  for (std::uint64_t seed = 20000; seed < 20400; ++seed) {
+    const TimingCase timing_case = random_chain(seed);
+    INFO("seed " << seed);
+    const auto direct = DirectEvaluation(timing_case).result();
+    REQUIRE(direct.has_value());
+    REQUIRE(run_dated(timing_case).result == *direct);
+    REQUIRE(run_dated(timing_case, seed).result == *direct);
+  }
+}
+
 TEST_CASE("the timeline agrees with the formulas on thousands of random pipelines, however the records arrive") {
   int completed = 0;
   for (std::uint64_t seed = 10000; seed < 13000; ++seed) {
