@@ -1,6 +1,7 @@
 #include "luts/rom_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bump {
@@ -8,7 +9,7 @@ namespace bump {
 namespace {
 
 constexpr int enumerable_bits = 20;
-constexpr std::int64_t samples = 16;
+constexpr std::int64_t samples = 16, field_samples = 2;
 
 struct Range {
   std::int64_t first, last;
@@ -17,6 +18,15 @@ struct Range {
 Range all_codes(const Format& index) {
   const std::int64_t half = std::int64_t{1} << (index.width - 1);
   return index.is_signed ? Range{-half, half - 1} : Range{0, 2 * half - 1};
+}
+
+/// Up to `count` + 1 codes from first to last, both included.
+std::vector<std::int64_t> spread(std::int64_t first, std::int64_t last, std::int64_t count) {
+  const std::int64_t steps = std::min(count, last - first);
+  std::vector<std::int64_t> codes;
+  for (std::int64_t i = 0; i <= steps; ++i)
+    codes.push_back(steps == 0 ? first : first + (last - first) / steps * i + (last - first) % steps * i / steps);
+  return codes;
 }
 
 /// Pieces of the index range on which the address only rises or only falls.
@@ -36,13 +46,37 @@ class Checker {
     result_.columns.resize(table.columns.size());
   }
 
+  /// A code of the first index word, with codes of every address field behind it.
   void check(std::int64_t code) {
+    codes_[0] = code;
+    check_fields(0);
+  }
+
+  void check_all(const Range& range) {
+    for (std::int64_t code = range.first; code <= range.last; ++code) check(code);
+  }
+
+  void check_some(const Range& piece) {
+    result_.all_codes = false;
+    for (std::int64_t first = piece.first; first <= piece.last;) {
+      const std::int64_t last = end_of_run(first, piece.last);
+      for (const std::int64_t code : spread(first, last, samples)) check(code);
+      first = last + 1;
+    }
+  }
+
+  RomError result() const { return result_; }
+
+ private:
+  /// A code per index word.
+  void check_one() {
     ++result_.codes;
-    const double index = to_double(code, table_.index);
+    std::array<double, 3> index{to_double(codes_[0], table_.index)};
+    for (std::size_t i = 0; i < table_.fields.size(); ++i) index[i + 1] = to_double(codes_[i + 1], table_.fields[i].index);
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
       const Column& column = table_.columns[i];
-      const double exact = column.function(index);
-      const double held = to_double(look_up(table_, contents_, i, code), column.format);
+      const double exact = table_.value(column, index.data());
+      const double held = to_double(look_up(table_, contents_, i, codes_), column.format);
       const double error = std::fabs(wrap_turns(held - exact, column.format));
       ColumnError& errors = result_.columns[i];
       errors.largest = std::max(errors.largest, error);
@@ -54,24 +88,19 @@ class Checker {
     }
   }
 
-  void check_all(const Range& range) {
-    for (std::int64_t code = range.first; code <= range.last; ++code) check(code);
+  /// Codes of the index words behind the first, from `field` on.
+  void check_fields(std::size_t field) {
+    if (field == table_.fields.size()) return check_one();
+    const MapField& f = table_.fields[field];
+    const Range all = all_codes(f.index);
+    const std::int64_t run = std::max(std::int64_t{1}, (all.last - all.first + 1) >> f.address_bits);
+    for (std::int64_t start = all.first; start <= all.last; start += run)
+      for (const std::int64_t code : spread(start, start + run - 1, field_samples)) {
+        codes_.at(field + 1) = code;
+        check_fields(field + 1);
+      }
   }
 
-  void check_some(const Range& piece) {
-    result_.all_codes = false;
-    for (std::int64_t first = piece.first; first <= piece.last;) {
-      const std::int64_t last = end_of_run(first, piece.last);
-      const std::int64_t steps = std::min(samples, last - first);
-      for (std::int64_t i = 0; i <= steps; ++i)
-        check(steps == 0 ? first : first + (last - first) / steps * i + (last - first) % steps * i / steps);
-      first = last + 1;
-    }
-  }
-
-  RomError result() const { return result_; }
-
- private:
   /// The last code up to `bound` that reads the same address as `first`.
   std::int64_t end_of_run(std::int64_t first, std::int64_t bound) const {
     const std::int64_t address = address_of(table_, first).address;
@@ -85,6 +114,7 @@ class Checker {
 
   const Table& table_;
   const TableContents& contents_;
+  IndexWords codes_{};
   RomError result_;
 };
 
@@ -92,7 +122,7 @@ class Checker {
 
 RomError rom_error(const Table& table, const TableContents& contents) {
   Checker checker(table, contents);
-  if (table.index.width <= enumerable_bits) {
+  if (table.index.width <= enumerable_bits && !table.is_map()) {
     checker.check_all(all_codes(table.index));
   } else {
     for (const Range& piece : monotonic_pieces(table)) checker.check_some(piece);

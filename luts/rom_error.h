@@ -21,8 +21,8 @@ struct RomError {
   std::vector<ColumnError> columns;
 };
 
-/// Checks every code of indices up to 20 bits, beyond that up to 17 codes of every address. Columns that are full-turn angles differ modulo
-/// one turn.
+/// Checks every code of indices up to 20 bits; beyond that, and of maps, up to 17 codes of every address of the first index word, with up
+/// to three codes of every address of the words behind. Columns that are full-turn angles differ modulo one turn.
 RomError rom_error(const Table& table, const TableContents& contents);
 
 }  // namespace bump

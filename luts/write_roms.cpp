@@ -84,7 +84,9 @@ Json describe(const Table& table, const TableContents& contents) {
   json["word_bits"] = rom_word_bits(table);
   json["bits"] = table.bits();
   json["per_material"] = table.per_material;
-  json["map"] = table.is_map;
+  json["map"] = table.is_map();
+  for (const MapField& field : table.fields)
+    json["fields"].push_back({{"index", to_string(field.index)}, {"address_bits", field.address_bits}});
   json["codes_checked"] = error.codes;
   json["all_codes_checked"] = error.all_codes;
   int low_bit = rom_word_bits(table);
@@ -96,6 +98,7 @@ Json describe(const Table& table, const TableContents& contents) {
 
 bool is_real(const Table& table) {
   return table.index.is_real ||
+         std::any_of(table.fields.begin(), table.fields.end(), [](const MapField& field) { return field.index.is_real; }) ||
          std::any_of(table.columns.begin(), table.columns.end(), [](const Column& column) { return column.format.is_real; });
 }
 

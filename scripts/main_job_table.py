@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints Markdown tables from result folders named SCENE-SCHEME in the folder given as the argument."""
+"""Prints Markdown tables from the comparisons SCENE/compare.json in the folder given as the argument."""
 
 import json
 import pathlib
@@ -18,9 +18,10 @@ def decibel(comparison):
 def main():
     folder = pathlib.Path(sys.argv[1])
     results = {}
-    for path in sorted(folder.glob("*/result.json")):
-        result = json.loads(path.read_text())
-        results[result["scene"]["name"], result["scheme"]["id"]] = result
+    for path in sorted(folder.glob("*/compare.json")):
+        for scheme in json.loads(path.read_text())["schemes"]:
+            result = scheme["result"]
+            results[result["scene"]["name"], result["scheme"]["id"]] = result
     schemes = sorted({scheme for _, scheme in results})
 
     print("# The main job: every scheme on every shipped scene\n")

@@ -52,7 +52,9 @@ void check_clamp(const Node& node, const std::vector<Format>& operands, const st
 
 void check_column(const Table& table, const Column& column, const std::string& whose) {
   check_format(column.format, whose);
-  require(static_cast<bool>(column.function), whose + ": has no function");
+  require(static_cast<bool>(column.function) != static_cast<bool>(column.map_function) &&
+              static_cast<bool>(column.map_function) == table.is_map(),
+          whose + (table.is_map() ? ": a map has a function of all its index words" : ": has no function"));
   const bool folds = table.folding == Folding::magnitude || table.folding == Folding::quarter;
   const bool odd = column.symmetry.odd_about_zero || (table.folding == Folding::quarter && column.symmetry.odd_about_quarter);
   require(!folds || !odd || column.format.is_real || (column.format.is_signed && column.format.width >= 2),
@@ -60,6 +62,7 @@ void check_column(const Table& table, const Column& column, const std::string& w
   if (!column.mirrors_first) return;
   require(&column != &table.columns.front(), whose + ": the first column cannot mirror itself");
   require(table.folding != Folding::floating, whose + ": a floating index has no mirror");
+  require(!table.is_map(), whose + ": a map has no mirror");
   require(column.format == table.columns.front().format && table.stored_width(column) == table.stored_width(table.columns.front()),
           whose + ": a mirrored column has the format and the stored width of the first");
 }
@@ -85,6 +88,12 @@ void check_table(const Table& table) {
   check_format(table.index, whose);
   require(!table.name.empty(), "a table has no name");
   require(table.address_bits >= 1 && table.address_bits <= 24, fmt::format("{}: 1 to 24 address bits, not {}", whose, table.address_bits));
+  require(table.fields.size() <= 2, whose + ": a map has two or three index words");
+  for (const MapField& field : table.fields) {
+    check_format(field.index, whose);
+    require(field.address_bits >= 1, whose + ": an index word has at least one bit of the address");
+  }
+  require(table.address_bits + table.field_bits() <= 24, whose + ": 1 to 24 address bits together");
   require(!table.columns.empty(), whose + ": has no columns");
   if (!table.index.is_real) {
     if (table.folding == Folding::quarter)
@@ -128,6 +137,12 @@ void check_operator(const Node& node, const std::vector<Format>& operands, const
       break;
     case Op::shift:
       require(std::abs(node.amount) <= 128, fmt::format("{}: shifts by at most 128 places, not {}", whose, node.amount));
+      break;
+    case Op::join:
+      if (!is_real)
+        require(!operands[1].is_signed && operands[1].width - operands[1].fraction <= -operands[0].fraction,
+                fmt::format("{}: the bits of {} overlap those of {}", whose, to_string(operands[1]), to_string(operands[0])));
+      if (!is_real) check_sum(node, operands, whose);
       break;
     case Op::half_turn:
     case Op::is_beyond_quarter:

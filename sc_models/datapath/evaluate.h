@@ -25,7 +25,7 @@ class Evaluator {
   /// fixed-point words enter by quantise() and leave by their exact value. 0 <= lanes <= block_lanes.
   virtual void evaluate(const double* const* inputs, int lanes, double* const* outputs) = 0;
 
-  /// After evaluate(): the value of a node in a lane (for `table` nodes: the index value), as a double.
+  /// After evaluate(): the value of a node in a lane (for `table` nodes: the index value, of a map the first), as a double.
   virtual double value(int node, int lane) const = 0;
   /// After evaluate(), fixed point only: the raw word of a node in a lane (for `table` nodes: the address).
   virtual std::int64_t raw(int node, int lane) const = 0;

@@ -97,7 +97,8 @@ class FixedEvaluator : public Evaluator {
     step.rule = rounding_rule(fraction, to);
     switch (node.op) {
       case Op::add:
-      case Op::sub: {
+      case Op::sub:
+      case Op::join: {
         const int common = std::max(fraction, operand(1).fraction);
         step.left_a = common - fraction;
         step.left_b = common - operand(1).fraction;
@@ -164,6 +165,7 @@ class FixedEvaluator : public Evaluator {
   static void run(const Step& s, int lanes) {
     switch (s.op) {
       case Op::add:
+      case Op::join:
         return lanes::add(s.a, s.left_a, s.b, s.left_b, s.rule, s.out, lanes);
       case Op::sub:
         return lanes::subtract(s.a, s.left_a, s.b, s.left_b, s.rule, s.out, lanes);
@@ -174,7 +176,7 @@ class FixedEvaluator : public Evaluator {
       case Op::sqrt:
         return lanes::root(s.a, s.root, s.narrow, s.out, lanes);
       case Op::table:
-        return lanes::addresses(*s.table, s.a, s.out, s.negative, s.beyond, lanes);
+        return lanes::addresses(*s.table, {s.a, s.b, s.c}, s.out, s.negative, s.beyond, lanes);
       case Op::column:
         return lanes::read(s.words, s.a, s.negative, s.odd_zero, s.beyond, s.odd_quarter, s.out, lanes);
       case Op::shift:

@@ -11,6 +11,7 @@ Inventory& Inventory::operator+=(const Inventory& other) {
   square_roots += other.square_roots;
   tables += other.tables;
   maps += other.maps;
+  second_ports += other.second_ports;
   shifts += other.shifts;
   sign_logic += other.sign_logic;
   clamps += other.clamps;

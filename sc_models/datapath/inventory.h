@@ -16,8 +16,9 @@ struct Inventory {
   int tables = 0;  ///< tables read by one index each, several columns are one table
   int maps = 0;    ///< large tables with more than one index
   // Listed apart: wiring and sign logic.
-  int shifts = 0;
-  int sign_logic = 0;  ///< negate, absolute, half_turn, is_negative, is_beyond_quarter
+  int second_ports = 0;  ///< of tables: another index in the same cycle, no words of its own
+  int shifts = 0;        ///< and joins
+  int sign_logic = 0;    ///< negate, absolute, half_turn, is_negative, is_beyond_quarter
   int clamps = 0;
   int selects = 0;
   int index_encoders = 0;  ///< leading-one detectors in front of tables with a floating index

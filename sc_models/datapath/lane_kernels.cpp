@@ -76,6 +76,13 @@ BUMP_LANE_LOOP void plain_addresses(const std::int64_t* __restrict index, std::i
   for (int i = 0; i < lanes; ++i) address[i] = static_cast<std::int64_t>((static_cast<std::uint64_t>(index[i] + origin) << left) >> right);
 }
 
+/// Puts the address field of a further index word below the address so far.
+BUMP_LANE_LOOP void append_addresses(const std::int64_t* __restrict index, std::int64_t origin, int left, int right, int field_bits,
+                                     std::int64_t* __restrict address, int lanes) {
+  for (int i = 0; i < lanes; ++i)
+    address[i] = (address[i] << field_bits) | static_cast<std::int64_t>((static_cast<std::uint64_t>(index[i] + origin) << left) >> right);
+}
+
 BUMP_LANE_LOOP void magnitude_addresses(const std::int64_t* __restrict index, std::int64_t highest, int left, int right,
                                         std::int64_t* __restrict address, std::int64_t* __restrict negative, int lanes) {
   for (int i = 0; i < lanes; ++i) {
@@ -224,13 +231,20 @@ BUMP_LANE_LOOP void is_beyond_quarter(ConstWords a, int width, Words out, int la
   }
 }
 
-void addresses(const Table& table, ConstWords index, Words address, Words negative, Words beyond, int lanes) {
+namespace {
+
+std::int64_t origin_of(const Format& index) {
+  return index.is_signed ? std::int64_t{1} << (index.width - 1) : 0;
+}
+
+/// Of the first index word.
+void first_addresses(const Table& table, ConstWords index, Words address, Words negative, Words beyond, int lanes) {
   const int bits = table.index.width;
   const int folded_bits = table.folding == Folding::magnitude ? bits - 1 : table.folding == Folding::quarter ? bits - 2 : bits;
   const int left = std::max(0, table.address_bits - folded_bits), right = std::max(0, folded_bits - table.address_bits);
   switch (table.folding) {
     case Folding::none:
-      return plain_addresses(index, table.index.is_signed ? std::int64_t{1} << (bits - 1) : 0, left, right, address, lanes);
+      return plain_addresses(index, origin_of(table.index), left, right, address, lanes);
     case Folding::magnitude:
       return magnitude_addresses(index, (std::int64_t{1} << (bits - 1)) - 1, left, right, address, negative, lanes);
     case Folding::quarter:
@@ -239,10 +253,21 @@ void addresses(const Table& table, ConstWords index, Words address, Words negati
       const int mantissa_bits = table.address_bits - table.exponent_bits;
       const std::int64_t lowest_code = std::int64_t{1023 + table.min_exponent + table.index.fraction} << mantissa_bits;
       if (bits <= narrow_bits && lowest_code > 0)
-        return floating_addresses(index, mantissa_bits, lowest_code, table.entries() - 1, address, lanes);
+        return floating_addresses(index, mantissa_bits, lowest_code, (std::int64_t{1} << table.address_bits) - 1, address, lanes);
       for (int i = 0; i < lanes; ++i) address[i] = address_of(table, index[i]).address;
       return;
     }
+  }
+}
+
+}  // namespace
+
+void addresses(const Table& table, const std::array<ConstWords, 3>& index, Words address, Words negative, Words beyond, int lanes) {
+  first_addresses(table, index[0], address, negative, beyond, lanes);
+  for (std::size_t i = 0; i < table.fields.size(); ++i) {
+    const MapField& field = table.fields[i];
+    const int left = std::max(0, field.address_bits - field.index.width), right = std::max(0, field.index.width - field.address_bits);
+    append_addresses(index[i + 1], origin_of(field.index), left, right, field.address_bits, address, lanes);
   }
 }
 

@@ -3,6 +3,7 @@
 // calls, so that the compiler vectorises it; where the compiler can, each is built twice, for any 64-bit machine and for AVX2, and the
 // machine chooses. Integer results are the same either way, and the few doubles involved hold integers exactly.
 
+#include <array>
 #include <cstdint>
 
 #include "datapath/arithmetic.h"
@@ -58,8 +59,8 @@ void select(ConstWords flags, ConstWords a, RoundingRule rule_a, ConstWords b, R
 void is_negative(ConstWords a, Words out, int lanes);
 void is_beyond_quarter(ConstWords a, int width, Words out, int lanes);
 
-/// address_of() for every lane. negative and beyond are all ones where the index was reflected, else 0.
-void addresses(const Table& table, ConstWords index, Words address, Words negative, Words beyond, int lanes);
+/// address_of() for every lane, an array of words per index word. negative and beyond are all ones where the index was reflected, else 0.
+void addresses(const Table& table, const std::array<ConstWords, 3>& index, Words address, Words negative, Words beyond, int lanes);
 /// words[address], negated where (negative and odd_zero) xor (beyond and odd_quarter) is all ones.
 void read(ConstWords words, ConstWords address, ConstWords negative, std::int64_t odd_zero, ConstWords beyond, std::int64_t odd_quarter,
           Words out, int lanes);

@@ -22,7 +22,8 @@ Node make(Op op, const std::string& name, std::vector<int> operands, const Forma
 /// Two tables of one name must be one ROM.
 bool same_structure(const Table& a, const Table& b) {
   return a.index == b.index && a.folding == b.folding && a.address_bits == b.address_bits && a.min_exponent == b.min_exponent &&
-         a.exponent_bits == b.exponent_bits && a.columns.size() == b.columns.size() && a.bits() == b.bits();
+         a.exponent_bits == b.exponent_bits && a.field_bits() == b.field_bits() && a.columns.size() == b.columns.size() &&
+         a.bits() == b.bits();
 }
 
 }  // namespace
@@ -47,6 +48,8 @@ const char* name_of(Op op) {
       return "table";
     case Op::column:
       return "column";
+    case Op::join:
+      return "join";
     case Op::shift:
       return "shift";
     case Op::negate:
@@ -126,27 +129,59 @@ Wire Netlist::sqrt(const std::string& name, Wire a, Format format, const std::st
 }
 
 std::vector<Wire> Netlist::table(const std::string& name, const TablePtr& table, Wire index, const std::string& equation) {
+  return read(name, table, {index}, equation, false);
+}
+
+std::vector<Wire> Netlist::table(const std::string& name, const TablePtr& table, const std::vector<Wire>& index,
+                                 const std::string& equation) {
+  return read(name, table, index, equation, false);
+}
+
+std::vector<Wire> Netlist::second_port(const std::string& name, const TablePtr& table, Wire index, const std::string& equation) {
+  return read(name, table, {index}, equation, true);
+}
+
+std::vector<Wire> Netlist::read(const std::string& name, const TablePtr& table, const std::vector<Wire>& index, const std::string& equation,
+                                bool second_port) {
   const std::string whose = "netlist '" + name_ + "', node '" + prefix_ + name + "'";
   require(table != nullptr, whose + ": there is no table");
-  require(index.node >= 0 && index.node < static_cast<int>(nodes_.size()), whose + ": the index is not a wire of this netlist");
   check_table(*table);
-  const Format& format_of_index = format(index);
-  require(format_of_index.is_real || format_of_index == table->index,
-          whose + ": table '" + table->name + "' is indexed by " + to_string(table->index) + ", not by " + to_string(format_of_index));
+  require(static_cast<int>(index.size()) == table->index_words(),
+          whose + ": table '" + table->name + "' has " + std::to_string(table->index_words()) + " index words");
+  std::vector<int> operands;
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    require(index[i].node >= 0 && index[i].node < static_cast<int>(nodes_.size()), whose + ": the index is not a wire of this netlist");
+    const Format &given = format(index[i]), &taken = i == 0 ? table->index : table->fields[i - 1].index;
+    require(given.is_real || given == taken,
+            whose + ": table '" + table->name + "' is indexed by " + to_string(taken) + ", not by " + to_string(given));
+    operands.push_back(index[i].node);
+  }
   for (const TablePtr& known : tables_)
     require(known->name != table->name || same_structure(*known, *table), whose + ": another table is called '" + table->name + "'");
   auto place = std::find(tables_.begin(), tables_.end(), table);
   if (place == tables_.end()) place = tables_.insert(tables_.end(), table);
-  Node node = make(Op::table, name, {index.node}, format_of_index, equation);
+  Node node = make(Op::table, name, std::move(operands), format(index.front()), equation);
   node.table = static_cast<int>(place - tables_.begin());
-  const Wire read = append(std::move(node));
+  node.second_port = second_port;
+  if (second_port) {
+    const auto reads = [&](bool second) {
+      return std::count_if(nodes_.begin(), nodes_.end(),
+                           [&](const Node& n) { return n.op == Op::table && n.table == node.table && n.second_port == second; });
+    };
+    require(reads(true) < reads(false), whose + ": table '" + table->name + "' has no first port that lacks a second");
+  }
+  const Wire address = append(std::move(node));
   std::vector<Wire> wires;
   for (std::size_t i = 0; i < table->columns.size(); ++i) {
-    Node column = make(Op::column, name + "." + table->columns[i].name, {read.node}, table->columns[i].format, equation);
+    Node column = make(Op::column, name + "." + table->columns[i].name, {address.node}, table->columns[i].format, equation);
     column.amount = static_cast<int>(i);
     wires.push_back(append(std::move(column)));
   }
   return wires;
+}
+
+Wire Netlist::join(const std::string& name, Wire high, Wire low, Format format, const std::string& equation) {
+  return append(make(Op::join, name, {high.node, low.node}, format, equation));
 }
 
 Wire Netlist::shift(const std::string& name, Wire a, int k, Format format, const std::string& equation) {

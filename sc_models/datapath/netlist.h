@@ -11,7 +11,8 @@
 //   div         sign-magnitude restoring division: floor(|a| 2^s / b) in `width` magnitude bits, sign of a; b unsigned.
 //               s makes the quotient's fraction. The low magnitude bits are kept; b = 0 gives all ones (of the magnitude)
 //   sqrt        floor(sqrt(a)) of an unsigned word, to the result's fraction
-//   table       turns an index into a ROM address; `column` nodes are its outputs
+//   table       turns an index, of a map several, into a ROM address; `column` nodes are its outputs. A ROM may be read by a second port
+//   join        wiring: the sum of two words whose bits do not overlap, the second unsigned and below the first
 //   shift       wiring: a * 2^k, then the rounding rule; k = 0 only changes the format
 //   negate      two's complement; absolute: negate if negative (both then wrap to the format)
 //   half_turn   adds half a turn to a full-turn angle: inverts the top bit
@@ -34,7 +35,24 @@
 namespace bump {
 
 enum class Op : std::uint8_t {
-  input, constant, add, sub, mul, div, sqrt, table, column, shift, negate, absolute, half_turn, clamp, select, is_negative, is_beyond_quarter
+  input,
+  constant,
+  add,
+  sub,
+  mul,
+  div,
+  sqrt,
+  table,
+  column,
+  join,
+  shift,
+  negate,
+  absolute,
+  half_turn,
+  clamp,
+  select,
+  is_negative,
+  is_beyond_quarter
 };
 
 const char* name_of(Op op);
@@ -46,12 +64,13 @@ struct Wire {
 
 struct Node {
   Op op = Op::input;
-  std::string name;          ///< unique within the netlist, e.g. "L.theta_x"
-  std::string equation;      ///< source, e.g. "Eq 7"; may be empty
-  std::vector<int> operands; ///< nodes, earlier in the list
+  std::string name;           ///< unique within the netlist, e.g. "L.theta_x"
+  std::string equation;       ///< source, e.g. "Eq 7"; may be empty
+  std::vector<int> operands;  ///< nodes, earlier in the list
   Format format{};
   int amount = 0;            ///< shift: k; column: index of the column
   int table = -1;            ///< table: index into Netlist::tables()
+  bool second_port = false;  ///< table: reads the ROM of an earlier table node
   double value = 0;          ///< constant
   double low = 0, high = 0;  ///< clamp
   bool addition = false;     ///< not part of the published count: see Netlist::begin_addition
@@ -70,6 +89,12 @@ class Netlist {
   Wire sqrt(const std::string& name, Wire a, Format format, const std::string& equation = "");
   /// One wire per column, in the table's order. The node is called `name`, its columns `name.column`.
   std::vector<Wire> table(const std::string& name, const TablePtr& table, Wire index, const std::string& equation = "");
+  /// A map, by all its index words in order.
+  std::vector<Wire> table(const std::string& name, const TablePtr& table, const std::vector<Wire>& index, const std::string& equation = "");
+  /// The second port of a ROM that table() reads in this netlist: a second index in the same cycle, no table of its own.
+  std::vector<Wire> second_port(const std::string& name, const TablePtr& table, Wire index, const std::string& equation = "");
+  /// high + low.
+  Wire join(const std::string& name, Wire high, Wire low, Format format, const std::string& equation = "");
   Wire shift(const std::string& name, Wire a, int k, Format format, const std::string& equation = "");
   Wire negate(const std::string& name, Wire a, Format format, const std::string& equation = "");
   Wire absolute(const std::string& name, Wire a, Format format, const std::string& equation = "");
@@ -90,6 +115,7 @@ class Netlist {
     ~Scope();
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
+
    private:
     Netlist& netlist_;
     std::string outer_;
@@ -111,6 +137,8 @@ class Netlist {
 
  private:
   Wire append(Node node);
+  std::vector<Wire> read(const std::string& name, const TablePtr& table, const std::vector<Wire>& index, const std::string& equation,
+                         bool second_port);
 
   std::string name_;
   std::string prefix_;

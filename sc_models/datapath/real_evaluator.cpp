@@ -64,6 +64,8 @@ class RealEvaluator : public Evaluator {
     switch (node.op) {
       case Op::add:
         return each(lanes, out, [&](std::size_t i) { return a[i] + b[i]; });
+      case Op::join:
+        return each(lanes, out, [&](std::size_t i) { return a[i] + b[i]; });
       case Op::sub:
         return each(lanes, out, [&](std::size_t i) { return a[i] - b[i]; });
       case Op::mul:
@@ -79,8 +81,14 @@ class RealEvaluator : public Evaluator {
       case Op::column: {
         const Node& read = netlist_.nodes()[static_cast<std::size_t>(node.operands[0])];
         const Table& table = *netlist_.tables()[static_cast<std::size_t>(read.table)];
-        const auto& function = table.columns[static_cast<std::size_t>(node.amount)].function;
-        return each(lanes, out, [&](std::size_t i) { return function(a[i]); });
+        const Column& column = table.columns[static_cast<std::size_t>(node.amount)];
+        if (!table.is_map()) return each(lanes, out, [&](std::size_t i) { return column.function(a[i]); });
+        return each(lanes, out, [&](std::size_t i) {
+          std::array<double, 3> index{a[i]};
+          for (std::size_t j = 1; j < read.operands.size(); ++j)
+            index[j] = wrap_turns(lanes_[static_cast<std::size_t>(read.operands[j])][i], table.fields[j - 1].index);
+          return column.map_function(index.data());
+        });
       }
       case Op::shift: {
         const double scale = std::ldexp(1.0, node.amount);

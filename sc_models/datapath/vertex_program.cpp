@@ -9,9 +9,13 @@ namespace bump {
 
 namespace {
 
-void count_table(const Table& table, std::set<std::string>& distinct, Inventory& inventory) {
-  (table.is_map ? inventory.maps : inventory.tables) += 1;
+void count_table(const Table& table, bool second_port, std::set<std::string>& distinct, Inventory& inventory) {
   if (table.folding == Folding::floating) ++inventory.index_encoders;
+  if (second_port) {
+    ++inventory.second_ports;
+    return;
+  }
+  (table.is_map() ? inventory.maps : inventory.tables) += 1;
   inventory.table_bits += table.bits();
   if (distinct.insert(table.name).second) inventory.distinct_table_bits += table.bits();
 }
@@ -55,8 +59,9 @@ Inventory count_nodes(const Netlist& netlist, const std::vector<bool>& which) {
         ++inventory.square_roots;
         break;
       case Op::table:
-        count_table(*netlist.tables()[static_cast<std::size_t>(node.table)], distinct, inventory);
+        count_table(*netlist.tables()[static_cast<std::size_t>(node.table)], node.second_port, distinct, inventory);
         break;
+      case Op::join:
       case Op::shift:
         ++inventory.shifts;
         break;

@@ -17,16 +17,16 @@ bool is_power_of_two(int value) {
 
 }  // namespace
 
-TextureCache::TextureCache(const CacheGeometry& geometry) : geometry_(geometry) {
+TextureCache::TextureCache(const CacheGeometry& geometry, const std::string& name) : geometry_(geometry) {
   if (!is_power_of_two(geometry.sets))
-    throw Error({"texture cache of " + std::to_string(geometry.sets) + " sets", {}, "the set is picked by address bits", "a power of two"});
+    throw Error({name + " of " + std::to_string(geometry.sets) + " sets", {}, "the set is picked by address bits", "a power of two"});
   if (!is_power_of_two(geometry.line_bytes))
-    throw Error({"texture cache lines of " + std::to_string(geometry.line_bytes) + " bytes",
+    throw Error({name + " lines of " + std::to_string(geometry.line_bytes) + " bytes",
                  {},
                  "the line is picked by address bits",
                  "a power of two"});
   if (geometry.ways < 1)
-    throw Error({"texture cache of " + std::to_string(geometry.ways) + " ways", {}, "a set holds a line or more", "1 or more"});
+    throw Error({name + " of " + std::to_string(geometry.ways) + " ways", {}, "a set holds a line or more", "1 or more"});
   while ((1 << line_shift_) < geometry.line_bytes) ++line_shift_;
   tags_.assign(static_cast<std::size_t>(geometry.sets) * static_cast<std::size_t>(geometry.ways), empty);
 }

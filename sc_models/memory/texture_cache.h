@@ -1,8 +1,10 @@
 #pragma once
-// Tags of the texture cache: set-associative, true LRU, in-order look-up, one tag array for all textures. Hit or miss depends on the order
-// of addresses only, so this is pure state without time; the memory port (timing_graph.h) dates the misses.
+// Tags of a read-only cache (of textures, of light maps): set-associative, true LRU, in-order look-up, one tag array for all that it
+// serves. Hit or miss depends on the order of addresses only, so this is pure state without time; the memory port (timing_graph.h) dates
+// the misses.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace bump {
@@ -16,7 +18,8 @@ struct CacheGeometry {
 
 class TextureCache {
  public:
-  explicit TextureCache(const CacheGeometry& geometry);
+  /// `name` is what error messages call it.
+  explicit TextureCache(const CacheGeometry& geometry, const std::string& name = "texture cache");
   /// Looks up the line that holds byte `address`, and fills it on a miss. True on a hit.
   bool access(std::uint64_t address);
   std::uint64_t line_of(std::uint64_t address) const;

@@ -2,14 +2,15 @@
 // A bump-mapping scheme: what a paper proposes, as data and netlists. To add one, add a folder with a class derived from Scheme and one
 // BUMP_REGISTER_SCHEME line; the list, the comparison, the documentation, the generic tests and the sweeps find it by themselves.
 //
-// Names that connect the parts. The vertex program reads, in object space, per vertex and light:
+// Names that connect the parts. The vertex program reads, along the axes of `vertex_processor.space` (the object's own by default), per vertex and light:
 //   N.x N.y N.z  T.x T.y T.z  B.x B.y B.z   the vertex frame (unit vectors, B = N x T up to handedness)
 //   L.x L.y L.z   towards the light: unit for a directional light, light position minus vertex for a point light
 //   V.x V.y V.z   towards the eye: eye position minus vertex
 // Its outputs are the interpolants, one for one. An output that does not depend on L is computed and interpolated once for all lights.
 // The per-pixel netlists (conversion, environment, illumination) read interpolants, "map.<channel>" and outputs of the netlists before
-// them by name, and run once per light. The illumination netlist has one output, "intensity": diffuse plus specular, without ambient, for a
-// light of intensity 1. The colour unit that every scheme shares adds ambient and multiplies by the colour texel.
+// them by name, and run once per light, or once for all lights if there are light maps. The illumination netlist has one output,
+// "intensity": diffuse plus specular, without ambient, for a light of intensity 1 (with light maps: of all lights). The colour unit
+// that every scheme shares adds ambient and multiplies by the colour texel.
 
 #include <glm/glm.hpp>
 
@@ -23,6 +24,7 @@
 #include "channels/parameters.h"
 #include "datapath/netlist.h"
 #include "units/scene.h"
+#include "units/surface_map.h"
 
 namespace bump {
 
@@ -45,9 +47,13 @@ struct BumpEncoding {
     ChannelKind kind = ChannelKind::linear;
   };
   std::vector<Channel> channels;  ///< none: the scheme reads no bump map, and nothing is fetched
-  std::function<void(const glm::dvec3& normal, double* channels)> encode;  ///< from a unit tangent-space normal
+  std::function<void(const glm::dvec3& normal, double* channels)> encode;  ///< from a unit normal in the map's space
   bool filterable = true;  ///< false: nearest texel whatever the configured filter (polar maps: phi is undefined on flat texels)
   std::string note;        ///< why, one line
+  /// Optional: the normals to encode, when they depend on the surface and not only on the scene's tangent-space map; asked once for each
+  /// object that differs in mesh or textures. Throws Error(input) for an object that cannot have such a map.
+  std::function<SurfaceMap(const SceneObject& object)> bake;
+  bool in_object_space = false;  ///< `bake` gives normals along the object's axes: vectors must be shaded in object space, too
 };
 
 /// A direction that the environment unit delivers, for the report of angular errors.
@@ -55,7 +61,8 @@ struct DeliveredDirection {
   enum class Of { light, half } of = Of::light;
   enum class Frame {
     tangent,  ///< x = T, y = B, z = N of the interpolated, orthonormalised frame
-    polar     ///< x = e_theta, y = e_phi, z = N: Lee's rotation, singular at the poles of the object's z axis
+    polar,    ///< x = e_theta, y = e_phi, z = N: Lee's rotation, singular at the poles of the z axis
+    shading   ///< the axes along which the vertex program reads its vectors
   } frame = Frame::tangent;
   std::vector<std::string> planes;  ///< three: Cartesian x, y, z (any length); two: phi, theta in turns
 };
@@ -68,12 +75,17 @@ struct LightMaps {
     std::string name;  ///< plane "light.<name>", which the illumination netlist reads, and output of `fill`
     Format word{};     ///< of a stored entry
   };
-  std::vector<Map> maps;
+  std::vector<Map> maps;  ///< words of at most 31 bits
   int address_bits = 20;  ///< 2^address_bits entries in each map
-  /// Per pixel. Reads outputs of the environment netlist, and "light_map.base", the first entry of the object's maps (object * 2^address_bits).
-  /// Outputs: "light_map.entry", an integer: base plus entry; and whatever `direction` needs.
+  /// The low bits of an entry that count its column, the others its row: entries of one tile of rows and columns share a cache line. 0: half of
+  /// address_bits.
+  int column_bits = 0;
+  /// Per pixel, fixed point. Reads outputs of the environment netlist, and "light_map.base", the first entry of the object's maps
+  /// (object * 2^address_bits). Outputs: "light_map.entry", an integer: base plus entry; and whatever `direction` needs. The widths of both words
+  /// limit the number of objects.
   Netlist address{"address"};
-  std::vector<std::string> coordinates;  ///< outputs of `address` that mean a direction
+  /// Outputs of `address` that mean a direction. The double evaluation computes the maps' continuous function there, as it does for tables.
+  std::vector<std::string> coordinates;
   /// The direction that coordinates mean; and the centre coordinates of an entry. Unit vectors, in the axes of the vertex program.
   std::function<glm::dvec3(const double* coordinates)> direction;
   std::function<void(std::int64_t entry, double* coordinates)> centre;
@@ -112,6 +124,9 @@ struct SchemePage {
   std::string source;      ///< paper
   std::string provenance;  ///< "as published", "reconstruction", "this project's"
   std::string summary;     ///< two or three sentences
+  /// Units ("environment", "illumination") that are in no source in this form but were made to agree with what is known of them, counts or remarks;
+  /// tables mark them.
+  std::vector<std::string> reconstructed{};
 };
 
 class Scheme {

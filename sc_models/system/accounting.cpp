@@ -20,7 +20,7 @@ void keep_tables_per_material(UnitCost& cost, const Netlist& netlist, int materi
   for (const Node& node : netlist.nodes()) {
     if (node.op != Op::table) continue;
     const Table& table = *netlist.tables()[static_cast<std::size_t>(node.table)];
-    if (!table.per_material) continue;
+    if (!table.per_material || node.second_port) continue;
     Inventory& portion = node.addition ? cost.addition : cost.published;
     portion.table_bits += table.bits() * (materials - 1);
     if (seen.insert(table.name).second) portion.distinct_table_bits += table.bits() * (materials - 1);
@@ -37,8 +37,23 @@ std::vector<TableUse> table_uses(const std::string& unit, const Netlist& netlist
       uses.push_back({unit, table.name, table.formula, table.entries(), table.bits(), 0, 0, node.addition});
       use = uses.end() - 1;
     }
-    use->copies += table.per_material ? materials : 1;
+    if (!node.second_port) use->copies += table.per_material ? materials : 1;
     use->reads += executions;
+  }
+  return uses;
+}
+
+std::vector<LightMapUse> light_map_uses(const LightMaps& maps, const LightMapFetch& fetch) {
+  std::vector<LightMapUse> uses;
+  for (std::size_t i = 0; i < maps.maps.size(); ++i) {
+    LightMapUse use;
+    use.name = maps.maps[i].name;
+    use.entries = std::int64_t{1} << maps.address_bits;
+    use.words_written = fetch.words_written();
+    use.bits = use.words_written * maps.maps[i].word.width;
+    use.bytes_written = use.words_written * fetch.word_bytes(static_cast<int>(i));
+    use.counters = fetch.counters()[i];
+    uses.push_back(std::move(use));
   }
   return uses;
 }

@@ -6,6 +6,7 @@
 
 #include "system/pipeline_timing.h"
 #include "system/simulation.h"
+#include "units/light_map_fetch.h"
 
 namespace bump {
 
@@ -18,5 +19,8 @@ void keep_tables_per_material(UnitCost& cost, const Netlist& netlist, int materi
 /// One row for each distinct table of the netlist, published and additional reads apart. `materials`: sets of contents kept for tables that follow
 /// the material.
 std::vector<TableUse> table_uses(const std::string& unit, const Netlist& netlist, std::int64_t executions, int materials);
+
+/// What was written into the maps and read from them.
+std::vector<LightMapUse> light_map_uses(const LightMaps& maps, const LightMapFetch& fetch);
 
 }  // namespace bump

@@ -12,6 +12,7 @@ Pipeline::Pipeline(const sc_core::sc_module_name& name, std::shared_ptr<const Pi
       interpolators_(context),
       texture_fetch_(context, TextureFetchConfig(c)),
       environment_(context),
+      light_map_fetch_(context->designs.front().light_maps ? std::make_unique<LightMapFetch>(context, LightMapFetchConfig(c)) : nullptr),
       illumination_(context),
       colour_(context, ColourUnitConfig(c)),
       shading_{illumination_, colour_},
@@ -23,6 +24,7 @@ Pipeline::Pipeline(const sc_core::sc_module_name& name, std::shared_ptr<const Pi
       textured_("textured"),
       lit_("lit"),
       shaded_("shaded"),
+      light_mapped_(light_map_fetch_ ? std::make_unique<BlockFifo<FragmentBlock>>("light_mapped") : nullptr),
       out_records_("records"),
       vertex_processor_module_("vertex_processor", failure_, vertex_processor_, triangles_, watch_),
       triangle_setup_module_("triangle_setup", failure_, triangle_setup_, triangles_, set_up_triangles_),
@@ -30,7 +32,10 @@ Pipeline::Pipeline(const sc_core::sc_module_name& name, std::shared_ptr<const Pi
       interpolators_module_("interpolators", failure_, interpolators_, fragments_, interpolated_),
       texture_fetch_module_("texture_fetch", failure_, texture_fetch_, interpolated_, textured_),
       environment_module_("environment", failure_, environment_, textured_, lit_),
-      illumination_module_("illumination", failure_, shading_, lit_, shaded_),
+      light_map_fetch_module_(light_map_fetch_ ? std::make_unique<FragmentModule<LightMapFetch>>("light_map_fetch", failure_,
+                                                                                                 *light_map_fetch_, lit_, *light_mapped_)
+                                               : nullptr),
+      illumination_module_("illumination", failure_, shading_, light_mapped_ ? *light_mapped_ : lit_, shaded_),
       frame_sink_module_("frame_sink", failure_, frame_sink_, pool_, shaded_, [this](const FragmentBlock& block) {
         out_records_.write(records_of(block));
         if (block.last) out_records_.close();

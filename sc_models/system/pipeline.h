@@ -1,8 +1,12 @@
 #pragma once
-// The functional plane of one run: the eight units as SystemC modules, joined by channels of blocks, ending in a stream of timing records for
+// The functional plane of one run: the units as SystemC modules, joined by channels of blocks, ending in a stream of timing records for
 // whichever engine dates them.
 //
-//   vertex_processor -> triangle_setup -> rasterizer -> interpolators -> texture_fetch -> environment -> illumination (and colour) -> frame_sink
+//   vertex_processor -> triangle_setup -> rasterizer -> interpolators -> texture_fetch -> environment [-> light_map_fetch] -> illumination
+//   (and colour)
+//                    -> frame_sink
+//
+// The light-map fetch unit is there only if the design has light maps.
 
 #include <functional>
 #include <memory>
@@ -12,6 +16,7 @@
 #include "units/environment_unit.h"
 #include "units/illumination_unit.h"
 #include "units/interpolators.h"
+#include "units/light_map_fetch.h"
 #include "units/modules.h"
 #include "units/texture_fetch.h"
 
@@ -33,6 +38,8 @@ class Pipeline : public sc_core::sc_module {
   const Interpolators& interpolators() const { return interpolators_; }
   const TextureFetch& texture_fetch() const { return texture_fetch_; }
   const EnvironmentUnit& environment() const { return environment_; }
+  /// Null if the design has no light maps.
+  const LightMapFetch* light_map_fetch() const { return light_map_fetch_.get(); }
   const IlluminationUnit& illumination() const { return illumination_; }
   const ColourUnit& colour() const { return colour_; }
   const FrameSink& frame_sink() const { return frame_sink_; }
@@ -57,6 +64,7 @@ class Pipeline : public sc_core::sc_module {
   Interpolators interpolators_;
   TextureFetch texture_fetch_;
   EnvironmentUnit environment_;
+  std::unique_ptr<LightMapFetch> light_map_fetch_;
   IlluminationUnit illumination_;
   ColourUnit colour_;
   Shading shading_;
@@ -64,6 +72,7 @@ class Pipeline : public sc_core::sc_module {
 
   BlockFifo<TriangleBlock> triangles_, set_up_triangles_;
   BlockFifo<FragmentBlock> fragments_, interpolated_, textured_, lit_, shaded_;
+  std::unique_ptr<BlockFifo<FragmentBlock>> light_mapped_;
   BlockFifo<TimingRecords> out_records_;
 
   VertexProcessorModule vertex_processor_module_;
@@ -72,6 +81,7 @@ class Pipeline : public sc_core::sc_module {
   FragmentModule<Interpolators> interpolators_module_;
   FragmentModule<TextureFetch> texture_fetch_module_;
   FragmentModule<EnvironmentUnit> environment_module_;
+  std::unique_ptr<FragmentModule<LightMapFetch>> light_map_fetch_module_;
   FragmentModule<Shading> illumination_module_;
   FrameSinkModule frame_sink_module_;
 };

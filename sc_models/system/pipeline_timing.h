@@ -1,7 +1,8 @@
 #pragma once
-// The timing attributes of the pipeline: a chain of eight stages joined by bounded FIFOs, with a memory port behind the texture unit. Latencies and
-// initiation intervals of the datapath stages come from the schedules of their netlists; everything else from the configuration.
-// Tokens are triangles in the first two stages, fragments from the rasterizer on.
+// The timing attributes of the pipeline: a chain of stages joined by bounded FIFOs, with a memory port behind the texture unit. Designs
+// with light maps have one stage more, light_map_fetch, with a memory port of its own; its FIFOs take the place of
+// environment_to_illumination. Latencies and initiation intervals of the datapath stages come from the schedules of their netlists;
+// everything else from the configuration. Tokens are triangles in the first two stages, fragments from the rasterizer on.
 
 #include <array>
 
@@ -12,6 +13,7 @@
 
 namespace bump {
 
+/// The kinds of stages, in the order of the chain. Which of them a design has, and where in the graph, says PipelineTiming.
 namespace stage {
 enum Index : int {
   vertex_processor,
@@ -20,6 +22,7 @@ enum Index : int {
   interpolators,
   texture_fetch,
   environment,
+  light_map_fetch,  ///< only of designs with light maps
   illumination,
   frame_sink,
   count
@@ -32,6 +35,7 @@ const char* stage_name(int index);
 struct DatapathSchedules {
   Schedule conversion;  ///< without nodes when the design has none
   Schedule environment;
+  Schedule light_map_address;  ///< without nodes when the design has no light maps
   Schedule illumination;
   Schedule colour;
 };
@@ -39,17 +43,24 @@ struct DatapathSchedules {
 struct PipelineTiming {
   TimingGraph graph;
   DatapathSchedules schedules;
-  /// Initiation interval of the stages whose tokens are all alike (fragments from the interpolators on, but for the texture unit).
+  /// By kind: initiation interval of the stages whose tokens are all alike (fragments from the interpolators on, but for the texture unit);
+  /// of light_map_fetch the least interval of a token, what its address takes.
   std::array<std::uint32_t, stage::count> interval{};
+  /// By kind: index of the stage in the graph; -1 if the design has none.
+  std::array<int, stage::count> place{};
+
+  /// The stage of a kind that the design has.
+  const StageSpec& at(stage::Index kind) const { return graph.stages[static_cast<std::size_t>(place[kind])]; }
 };
 
-/// Keys: fifos.*, memory.*, datapath.latency.*, environment.*, illumination.*, clock.*, numeric.
+/// Keys: fifos.*, datapath.latency.*, environment.*, illumination.*, clock.*, numeric.
 void declare_pipeline_parameters(Parameters& parameters);
 
 /// The schedules of a design under the configured operator latencies and multiplier limits.
 DatapathSchedules make_schedules(const Design& design, const Netlist& colour, const Configuration& configuration);
 
-/// `lights` >= 1: the per-pixel netlists run once per light, one after another.
-PipelineTiming make_pipeline_timing(const DatapathSchedules& schedules, int lights, const Configuration& configuration);
+/// `passes` >= 1: the per-pixel netlists run so often for each fragment, one execution after another: once per light, or once with light
+/// maps.
+PipelineTiming make_pipeline_timing(const DatapathSchedules& schedules, int passes, const Configuration& configuration);
 
 }  // namespace bump

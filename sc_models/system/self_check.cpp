@@ -14,6 +14,17 @@ void require_equal(std::int64_t a, std::int64_t b, const std::string& what) {
 
 void require(bool holds, const std::string& what) { require_equal(holds ? 1 : 0, 1, what); }
 
+void check_light_maps(const SimulationResult& r) {
+  std::int64_t misses = 0;
+  for (const LightMapUse& map : r.light_maps) {
+    require_equal(map.counters.reads, r.geometry.fragments, "reads of light map " + map.name + " = fragments");
+    require_equal(map.counters.hits + map.counters.misses, map.counters.reads, "hits + misses of light map " + map.name + " = reads");
+    misses += map.counters.misses;
+  }
+  if (!r.light_maps.empty())
+    require_equal(r.timing.memories.size() > 1 ? r.timing.memories[1].requests : -1, misses, "requests for light maps = misses");
+}
+
 }  // namespace
 
 void check_conservation(const SimulationResult& r, const TimingGraph& graph, const std::vector<Cycle>& last_interval) {
@@ -24,8 +35,8 @@ void check_conservation(const SimulationResult& r, const TimingGraph& graph, con
   require_equal(g.fragments, g.fragments_retired, "fragments shaded = fragments retired");
   require_equal(t.stages[stage::vertex_processor].tokens, g.triangles, "triangle tokens = triangles that entered");
   require_equal(t.stages[stage::triangle_setup].tokens, g.triangles, "triangles set up = triangles that entered");
-  for (int i = stage::interpolators; i < stage::count; ++i)
-    require_equal(t.stages[static_cast<std::size_t>(i)].tokens, g.fragments, std::string("tokens of ") + stage_name(i) + " = fragments");
+  for (std::size_t i = stage::interpolators; i < t.stages.size(); ++i)  // all stages from there on, whichever the design has
+    require_equal(t.stages[i].tokens, g.fragments, "tokens of " + t.stages[i].name + " = fragments");
   for (std::size_t i = 0; i < t.stages.size(); ++i) {
     const StageStatistics& s = t.stages[i];
     require(s.busy - last_interval[i] + s.starved + s.blocked_room <= t.cycles, "cycles of " + s.name + " fit into the run");
@@ -38,6 +49,7 @@ void check_conservation(const SimulationResult& r, const TimingGraph& graph, con
   }
   require_equal(r.texture.hits + r.texture.misses, r.texture.accesses, "cache hits + misses = look-ups");
   require_equal(t.memories.front().requests, r.texture.misses, "memory requests = cache misses");
+  check_light_maps(r);
   require(r.bound.cycles <= static_cast<double>(t.cycles), "cycles reach the closed-form bound");
 }
 

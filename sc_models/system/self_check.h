@@ -7,9 +7,10 @@
 
 namespace bump {
 
-/// Fragments in = fragments retired; covered = hidden + shaded; every FIFO's items went in and came out; tokens of neighbouring stages agree; hits + misses =
-/// look-ups = memory requests + hits; counters fit into the run; the bound is not beaten. Throws Error(self_check).
-/// `last_interval`: initiation interval of the last token of each stage, which may end behind the run.
+/// Fragments in = fragments retired; covered = hidden + shaded; every FIFO's items went in and came out; tokens of neighbouring stages
+/// agree; hits + misses = look-ups = memory requests + hits; every fragment reads every light map once; counters fit into the run; the
+/// bound is not beaten. Throws Error(self_check). `last_interval`: initiation interval of the last token of each stage, which may end
+/// behind the run.
 void check_conservation(const SimulationResult& result, const TimingGraph& graph, const std::vector<Cycle>& last_interval);
 
 }  // namespace bump

@@ -53,7 +53,8 @@ void run_kernel(const Failure& failure) {
 /// The engine around the pipeline; owns whichever timing plane dates its records.
 class TimedRun {
  public:
-  TimedRun(Pipeline& pipeline, const PipelineTiming& timing, const SimulationOptions& options, sc_core::sc_time period) : pipeline_(pipeline) {
+  TimedRun(Pipeline& pipeline, const PipelineTiming& timing, const SimulationOptions& options, sc_core::sc_time period)
+      : pipeline_(pipeline), last_interval_(timing.graph.stages.size(), 0) {
     if (options.engine == Engine::dated) {
       dated_.emplace("dated_engine", pipeline.failure(), timing, pipeline.out_records(), period, last_interval_);
       return;
@@ -76,16 +77,18 @@ class TimedRun {
 
  private:
   Pipeline& pipeline_;
-  std::vector<Cycle> last_interval_ = std::vector<Cycle>(stage::count, 0);
+  std::vector<Cycle> last_interval_;
   std::optional<DatedEngine> dated_;
   std::optional<SteppedEngine> stepped_;
 };
 
-/// What the designs state for their widths, one light of intensity 1 each, put together for the scene: errors of several lights add up at worst,
-/// the colour unit rounds each of its sums and products once, and the material that is worst decides.
+/// What the designs state for their widths, one light of intensity 1 each, put together for the scene: errors of several lights add up at
+/// worst, the colour unit rounds each of its sums and products once, and the material that is worst decides. Words of light maps round the
+/// sum of the lights once, so they are off by no less when lights are dim.
 double stated_floor_db(const PipelineContext& context, int colour_bits) {
   double intensity = 0, worst = 0;
   for (const Light& light : context.scene->lights) intensity += std::fabs(light.intensity);
+  if (context.designs.front().light_maps) intensity = std::max(1.0, intensity);
   for (const Design& design : context.designs) worst = std::max(worst, intensity * std::pow(10, -design.quantisation_floor_db / 20));
   const double rounding = (2.0 * context.lights + 3) * std::ldexp(1.0, -colour_bits);
   return -20 * std::log10(worst + rounding);
@@ -116,10 +119,18 @@ void account(const Pipeline& pipeline, const PipelineContext& context, const Dat
     for (TableUse& use : table_uses(name, netlist, executions, materials)) result.tables.push_back(std::move(use));
   };
   unit("environment", design.environment, &schedules.environment, pipeline.environment().executions());
+  if (const LightMapFetch* fetch = pipeline.light_map_fetch()) {
+    const LightMaps& maps = *design.light_maps;
+    unit("light_map_address", maps.address, &schedules.light_map_address, fetch->executions());
+    result.units.back().published.maps += static_cast<int>(maps.maps.size());
+    result.light_maps = light_map_uses(maps, *fetch);
+  }
   unit("illumination", design.illumination, &schedules.illumination, pipeline.illumination().executions());
   if (design.conversion) unit("conversion", *design.conversion, &schedules.conversion, pipeline.interpolators().conversions());
   unit("colour", pipeline.colour().netlist(), &schedules.colour, pipeline.colour().executions());
   result.units.push_back(unit_cost("interpolators", interpolator_netlist(context), nullptr, result.geometry.fragments));
+  if (const LightMapFetch* fetch = pipeline.light_map_fetch())
+    result.units.push_back(unit_cost("frame", design.light_maps->fill, nullptr, fetch->fill_executions()));
   UnitCost vertex = unit_cost("vertex", design.vertex, nullptr, result.geometry.vertices);
   vertex.per_light = count_nodes(design.vertex, depends_on(design.vertex, {"L."}));
   vertex.lights = context.lights;
@@ -137,6 +148,7 @@ Parameters all_parameters() {
   RasterizerConfig::declare(parameters);
   InterpolatorsConfig::declare(parameters);
   TextureFetchConfig::declare(parameters);
+  LightMapFetchConfig::declare(parameters);
   ColourUnitConfig::declare(parameters);
   for (const Scheme* scheme : all_schemes()) scheme->declare(parameters);
   return parameters;
@@ -148,6 +160,7 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   context_options.arithmetic = configuration.choice("numeric") == "fixed" ? Arithmetic::fixed : Arithmetic::real;
   context_options.keep_exact = options.measure;
   context_options.probe_directions = options.measure;
+  context_options.shading = VertexProcessorConfig(configuration).space;
   const auto context = make_context(scene, std::move(designs.designs), std::move(designs.of_object), context_options);
 
   const std::int64_t triangles = context->triangles();
@@ -157,7 +170,7 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   };
   Pipeline pipeline("pipeline", context, configuration, watch);
   const DatapathSchedules schedules = make_schedules(context->designs.front(), pipeline.colour().netlist(), configuration);
-  const PipelineTiming timing = make_pipeline_timing(schedules, context->lights, configuration);
+  const PipelineTiming timing = make_pipeline_timing(schedules, context->passes, configuration);
   const double megahertz = configuration.number("clock.megahertz");
   // Kernel time is counted in whole picoseconds; cycles are integers of their own, so a rounded period does no harm.
   TimedRun run(pipeline, timing, options, sc_core::sc_time(1e6 / megahertz, sc_core::SC_PS));

@@ -35,13 +35,17 @@ struct SimulationOptions {
 
 /// Cost of one netlist of the pipeline.
 struct UnitCost {
-  std::string name;     ///< "environment", "illumination", "conversion", "colour", "interpolators", "vertex", "vertex_transform"
+  /// "environment", "illumination", "conversion", "colour", "interpolators", "vertex", "vertex_transform"; with light maps also
+  /// "light_map_address" (one `map` for each map that it addresses) and "frame" (what fills the maps, once for each entry, light and
+  /// object)
+  std::string name;
   Inventory published;  ///< what the paper's table lists
   Inventory addition;   ///< what the design needs beside it
-  std::int64_t executions = 0;  ///< times the netlist was executed: fragments times lights, fragments, or vertices
+  std::int64_t executions = 0;  ///< times the netlist was executed: fragments times passes, fragments, or vertices
   Inventory per_light;          ///< of a vertex program: the part that an execution repeats for every further light
   int lights = 1;               ///< times that part is executed in one execution
-  /// Of a netlist that is a pipeline; a vertex program runs on arithmetic units instead, and the interpolators' latency is configured.
+  /// Of a netlist that is a pipeline; a vertex program runs on arithmetic units instead, maps are filled by the host, and the
+  /// interpolators' latency is configured.
   struct Pipeline {
     int latency = 0;              ///< cycles, from the schedule
     int initiation_interval = 1;  ///< cycles
@@ -59,6 +63,16 @@ struct TableUse {
   bool addition = false;
 };
 
+/// One light map of the design, over all objects.
+struct LightMapUse {
+  std::string name;
+  std::int64_t entries = 0;        ///< of one object's map
+  std::int64_t bits = 0;           ///< of all objects' maps
+  std::int64_t words_written = 0;  ///< each frame, of all objects' maps
+  std::int64_t bytes_written = 0;
+  LightMapCounters counters;  ///< what the pixels read
+};
+
 struct Bound {
   double cycles = 0;  ///< no configuration of the other parts can be faster
   std::string by;     ///< "environment: initiation interval", "memory: bandwidth", ...
@@ -70,6 +84,7 @@ struct SimulationResult {
   Bound bound;
   std::vector<UnitCost> units;
   std::vector<TableUse> tables;
+  std::vector<LightMapUse> light_maps;  ///< none without light maps
   TextureCounters texture;
   GeometryCounters geometry;
   FrameBuffer hardware;        ///< what the simulated hardware drew

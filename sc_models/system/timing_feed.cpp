@@ -1,5 +1,7 @@
 #include "system/timing_feed.h"
 
+#include <algorithm>
+
 namespace bump {
 
 namespace {
@@ -18,19 +20,26 @@ std::unique_ptr<TimingRecords> records_of(const FragmentBlock& block) {
   records->setup = block.setup_records;
   records->raster = block.raster_records;
   records->texture = block.texture_records;
+  records->light_map = block.light_map_records;
   records->fragments = block.lanes;
   return records;
 }
 
 void feed(TimingPlane& plane, const TimingRecords& records, const PipelineTiming& timing, std::vector<Cycle>& last_interval) {
-  append_all(plane, stage::vertex_processor, records.vertex, last_interval);
-  append_all(plane, stage::triangle_setup, records.setup, last_interval);
-  append_all(plane, stage::rasterizer, records.raster, last_interval);
-  append_all(plane, stage::texture_fetch, records.texture, last_interval);
+  append_all(plane, timing.place[stage::vertex_processor], records.vertex, last_interval);
+  append_all(plane, timing.place[stage::triangle_setup], records.setup, last_interval);
+  append_all(plane, timing.place[stage::rasterizer], records.raster, last_interval);
+  append_all(plane, timing.place[stage::texture_fetch], records.texture, last_interval);
+  if (!records.light_map.empty()) {
+    std::vector<TokenRecord> fetched = records.light_map;
+    for (TokenRecord& record : fetched) record.interval = std::max(record.interval, timing.interval[stage::light_map_fetch]);
+    append_all(plane, timing.place[stage::light_map_fetch], fetched, last_interval);
+  }
   if (records.fragments == 0) return;
-  for (const int index : {stage::interpolators, stage::environment, stage::illumination, stage::frame_sink}) {
+  for (const int kind : {stage::interpolators, stage::environment, stage::illumination, stage::frame_sink}) {
+    const int index = timing.place[static_cast<std::size_t>(kind)];
     TokenRecord record;
-    record.interval = timing.interval[static_cast<std::size_t>(index)];
+    record.interval = timing.interval[static_cast<std::size_t>(kind)];
     plane.append_uniform(index, record, static_cast<std::size_t>(records.fragments));
     last_interval[static_cast<std::size_t>(index)] = record.interval;
   }

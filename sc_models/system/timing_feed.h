@@ -10,14 +10,14 @@
 namespace bump {
 
 struct TimingRecords {
-  std::vector<TokenRecord> vertex, setup, raster, texture;
+  std::vector<TokenRecord> vertex, setup, raster, texture, light_map;
   int fragments = 0;  ///< tokens of the stages whose tokens are all alike
 };
 
 /// A copy of the records that the block carries.
 std::unique_ptr<TimingRecords> records_of(const FragmentBlock& block);
 
-/// Appends the records, stage by stage, and notes the initiation interval of the last token of each stage.
+/// Appends the records, stage by stage, and notes the initiation interval of the last token of each stage of the graph.
 void feed(TimingPlane& plane, const TimingRecords& records, const PipelineTiming& timing, std::vector<Cycle>& last_interval);
 
 }  // namespace bump

@@ -17,6 +17,7 @@ constexpr int position_probe = 0, normal_probe = 1, tangent_probe = 2, binormal_
 }  // namespace
 
 glm::dmat3 delivery_frame(DeliveredDirection::Frame frame, const glm::dvec3& n, const glm::dvec3& t, const glm::dvec3& b) {
+  if (frame == DeliveredDirection::Frame::shading) return glm::dmat3{1};
   const glm::dvec3 z = glm::normalize(n);
   if (frame == DeliveredDirection::Frame::tangent) {
     const glm::dvec3 x = glm::normalize(t - z * glm::dot(z, t));
@@ -84,10 +85,11 @@ void AngularMeter::measure(const FragmentBlock& block, const DeliveredDirection&
     const glm::dvec3 position = probe(block, position_probe, lane);
     glm::dvec3 truth = glm::normalize(space.light_vector(light, position));
     if (direction.of == DeliveredDirection::Of::half) truth = truth + glm::normalize(space.eye_vector(position));
-    const glm::dmat3 frame = delivery_frame(direction.frame, probe(block, normal_probe, lane), probe(block, tangent_probe, lane),
-                                            probe(block, binormal_probe, lane));
+    const auto axis = [&](int vector) { return space.direction(probe(block, vector, lane)); };
+    const glm::dmat3 frame = delivery_frame(direction.frame, axis(normal_probe), axis(tangent_probe), axis(binormal_probe));
     truth = glm::transpose(frame) * truth;
-    if (!(truth.z > 0)) continue;
+    const bool is_turned = direction.frame != DeliveredDirection::Frame::shading;
+    if (!((is_turned ? truth.z : glm::dot(truth, axis(normal_probe))) > 0)) continue;
     sums.hardware.add(angle_between(truth, delivered(hardware, lane)));
     sums.exact.add(angle_between(truth, delivered(exact, lane)));
   }

@@ -1,9 +1,10 @@
 #pragma once
-// Measures how far the directions that the environment unit delivers are from the true ones, per fragment and light: L is the object-space
-// light vector at the fragment, H the normalised sum of the unit vectors to light and eye, both in the frame in which the design delivers
-// them. Only vectors that light the surface are counted: those whose exact z in that frame is above 0. Others add nothing to the picture,
-// and the error tables of the literature leave them out. A measuring instrument, not hardware; it takes no time. Source of the frames:
-// schemes/scheme.h, DeliveredDirection; polar: Lee 2007, Eqs 19-21.
+// Measures how far the directions that the environment unit delivers are from the true ones, per fragment and light: L is the light vector
+// at the fragment, H the sum of the unit vectors to light and eye, both in the frame in which the design delivers them; the polar frame is
+// that about the z axis of the axes in which vectors are shaded (object_space.h). Only vectors that light the surface are counted: those
+// on the outer side of the interpolated normal. Others add nothing to the picture, and the error tables of the literature leave them out. A
+// measuring instrument, not hardware; it takes no time. Source of the frames: schemes/scheme.h, DeliveredDirection; polar: Lee 2007, Eqs
+// 19-21.
 
 #include <array>
 #include <glm/glm.hpp>

@@ -19,6 +19,7 @@ std::unique_ptr<FragmentBlock> BlockPool::take() {
   block->setup_records.clear();
   block->raster_records.clear();
   block->texture_records.clear();
+  block->light_map_records.clear();
   return block;
 }
 

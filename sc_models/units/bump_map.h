@@ -1,7 +1,8 @@
 #pragma once
-// Turns a scene's tangent-space normals into the bump map that a scheme stores: each texel of each mip level is encoded on its own from the
-// (normalised) Cartesian normal, so coarser levels are averages of vectors, never of angles. Preprocessing by the host: no hardware, no
-// time. Source: schemes/scheme.h, BumpEncoding; filtering in Cartesian form, spec of each scheme.
+// Turns a scene's tangent-space normals (or normals made for one surface, surface_map.h) into the bump map that a scheme stores: each texel
+// of each mip level is encoded on its own from the (normalised) Cartesian normal, so coarser levels are averages of vectors, never of
+// angles. Preprocessing by the host: no hardware, no time. Source: schemes/scheme.h, BumpEncoding; filtering in Cartesian form, spec of
+// each scheme.
 
 #include "memory/texture.h"
 #include "schemes/scheme.h"

@@ -26,17 +26,19 @@ void ColourUnitConfig::declare(Parameters& p) {
 
 ColourUnitConfig::ColourUnitConfig(const Configuration& c) : bits(static_cast<int>(c.integer("colour_unit.bits"))) {}
 
-Netlist colour_netlist(const Scene& scene, const Material& material, const ColourUnitConfig& config) {
+Netlist colour_netlist(const Scene& scene, const Material& material, const ColourUnitConfig& config, LightSum lights) {
   Netlist n("colour");
   const int whole = integer_bits(scene);
   const Format wide = sfixed(config.bits + whole + 1, config.bits), unit = ufixed(config.bits + 1, config.bits);
-  const bool gains = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.intensity != 1; });
+  const bool summed = lights == LightSum::in_light_maps;
+  const bool gains =
+      !summed && std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.intensity != 1; });
   // The gain has a word of its own: intensities may be large where materials are dark, so that no sum is.
   double brightest = 1;
   for (const Light& light : scene.lights) brightest = std::max(brightest, std::fabs(light.intensity));
   const Format gain = sfixed(config.bits + static_cast<int>(std::ceil(std::log2(brightest + 1))) + 1, config.bits);
   Wire sum = n.constant("ambient", material.ambient, wide);
-  for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+  for (std::size_t l = 0; l < (summed ? 1 : scene.lights.size()); ++l) {
     const int light = static_cast<int>(l);
     Wire intensity = n.input(plane_of_light("intensity", light), wide);
     if (gains)
@@ -53,8 +55,9 @@ Netlist colour_netlist(const Scene& scene, const Material& material, const Colou
 }
 
 ColourUnit::ColourUnit(std::shared_ptr<const PipelineContext> context, const ColourUnitConfig& config) : context_(std::move(context)) {
+  const LightSum lights = context_->designs.front().light_maps ? LightSum::in_light_maps : LightSum::in_colour_unit;
   for (const SceneObject& object : context_->scene->objects) {
-    netlists_.push_back(std::make_unique<Netlist>(colour_netlist(*context_->scene, object.material, config)));
+    netlists_.push_back(std::make_unique<Netlist>(colour_netlist(*context_->scene, object.material, config, lights)));
     hardware_.push_back(make_evaluator(*netlists_.back(), context_->options.arithmetic));
     if (context_->separate_exact()) exact_.push_back(make_evaluator(*netlists_.back(), Arithmetic::real));
   }

@@ -19,9 +19,17 @@ struct ColourUnitConfig {
   explicit ColourUnitConfig(const Configuration& configuration);
 };
 
-/// Inputs "intensity" of every light (plane_of_light) and tex.r/g/b, outputs colour.r/g/b. A multiplier per light for its intensity only if
-/// any light's differs from 1. Integer bits hold the brightest sum of the scene's materials and lights.
-Netlist colour_netlist(const Scene& scene, const Material& material, const ColourUnitConfig& config);
+/// How the lights' intensities reach the colour unit.
+enum class LightSum {
+  in_colour_unit,  ///< one by one, without the lights' own intensities
+  in_light_maps    ///< as one sum that light maps hold, intensities included
+};
+
+/// Inputs "intensity" of every light (plane_of_light), or one "intensity" from light maps, and tex.r/g/b; outputs colour.r/g/b. A
+/// multiplier per light for its intensity only if any light's differs from 1, none with light maps. Integer bits hold the brightest sum of
+/// the scene's materials and lights.
+Netlist colour_netlist(const Scene& scene, const Material& material, const ColourUnitConfig& config,
+                       LightSum lights = LightSum::in_colour_unit);
 
 class ColourUnit {
  public:

@@ -13,6 +13,13 @@ struct TextureCounters {
   std::int64_t bytes = 0;                           ///< moved from memory
 };
 
+/// Of one light map, all objects together.
+struct LightMapCounters {
+  std::int64_t reads = 0, hits = 0, misses = 0;  ///< words, each of which is one look-up of the cache
+  std::int64_t bytes = 0;                        ///< moved from memory
+  std::int64_t clipped = 0;                      ///< reads of words that the map's format had cut off
+};
+
 struct GeometryCounters {
   std::int64_t vertices = 0;           ///< transformed
   std::int64_t vertex_reuses = 0;      ///< found in the post-transform cache

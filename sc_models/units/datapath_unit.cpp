@@ -12,7 +12,7 @@ DatapathUnit::DatapathUnit(std::shared_ptr<const PipelineContext> context, Selec
     hardware_.push_back(make_evaluator(*select(design), context_->options.arithmetic));
     if (context_->separate_exact()) exact_.push_back(make_evaluator(*select(design), Arithmetic::real));
   }
-  for (int light = 0; light < context_->lights; ++light) {
+  for (int light = 0; light < context_->passes; ++light) {
     Ports ports;
     for (const Netlist::Port& port : first->inputs()) ports.inputs.push_back(context_->plane(port.name, light));
     for (const Netlist::Port& port : first->outputs()) ports.outputs.push_back(context_->plane(port.name, light));

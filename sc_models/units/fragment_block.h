@@ -39,7 +39,8 @@ struct FragmentBlock {
   Lanes u{}, v{};
   Lanes dudx{}, dvdx{}, dudy{}, dvdy{};  ///< change of u and v from pixel to pixel, memory/level_of_detail.h
 
-  std::array<std::uint8_t, block_lanes> diverged{};  ///< 1 where Design::jumps or Design::least take the pixel out of the stated bound
+  std::array<std::uint8_t, block_lanes>
+      diverged{};  ///< 1 where Design::jumps, Design::least or a clipped light map take the pixel out of the stated bound
 
   std::vector<Lanes> hardware;  ///< planes by index (PlaneMap), as the simulated hardware holds them
   /// The same in double precision; empty when the arithmetic is double anyway. Planes that both share (PipelineContext::shared_planes) are
@@ -50,6 +51,7 @@ struct FragmentBlock {
   std::vector<TokenRecord> vertex_records, setup_records;  ///< triangles that entered the pipeline up to this block
   std::vector<TokenRecord> raster_records;                 ///< fragments, and triangles without any
   std::vector<TokenRecord> texture_records;                ///< one per fragment
+  std::vector<TokenRecord> light_map_records;              ///< one per fragment where the design has light maps
   bool last = false;                                       ///< nothing follows
 };
 

@@ -1,5 +1,7 @@
 #include "units/pipeline_context.h"
 
+#include <algorithm>
+
 #include "datapath/invariant.h"
 #include "datapath/vertex_program.h"
 #include "units/projection.h"
@@ -26,6 +28,8 @@ void add_interpolants(PipelineContext& context) {
     if (interpolant.name != port.name)
       does_not_fit("interpolant '" + interpolant.name + "' beside vertex output '" + port.name + "'", "they go together in order");
     const bool own = per_light[static_cast<std::size_t>(port.node)];
+    if (own && design.light_maps)
+      does_not_fit("vertex output '" + port.name + "' depends on the light", "light maps hold the sum of all lights");
     for (int light = 0; light < (own ? context.lights : 1); ++light) {
       const int plane = context.planes.add(plane_of_light(interpolant.name, light));
       context.attributes.push_back({plane, interpolant.kind, static_cast<int>(i), light, -1});
@@ -48,16 +52,42 @@ void add_outputs(PipelineContext& context, const Netlist& netlist) {
     if (context.planes.contains(port.name))
       does_not_fit("output '" + port.name + "' of the " + netlist.name() + " netlist",
                    "the name is taken: a later light would read what an earlier one wrote");
-    for (int light = 0; light < context.lights; ++light) context.planes.add(plane_of_light(port.name, light));
+    for (int pass = 0; pass < context.passes; ++pass) context.planes.add(plane_of_light(port.name, pass));
   }
+}
+
+bool has_port(const std::vector<Netlist::Port>& ports, const std::string& name) {
+  return std::any_of(ports.begin(), ports.end(), [&](const Netlist::Port& port) { return port.name == name; });
+}
+
+void check_light_maps(const LightMaps& maps) {
+  const auto require = [](bool holds, const std::string& what) {
+    if (!holds) does_not_fit("light maps: " + what, "the fetch unit could not be built");
+  };
+  require(!maps.maps.empty(), "there is no map");
+  require(maps.address_bits >= 1 && maps.address_bits <= 24, "2^" + std::to_string(maps.address_bits) + " entries");
+  require(maps.column_bits >= 0 && maps.column_bits <= maps.address_bits, "columns of " + std::to_string(maps.column_bits) + " bits");
+  require(has_port(maps.address.inputs(), "light_map.base"), "the address netlist does not read light_map.base");
+  require(has_port(maps.address.outputs(), "light_map.entry"), "the address netlist delivers no light_map.entry");
+  for (const std::string& name : maps.coordinates)
+    require(has_port(maps.address.outputs(), name), "coordinate '" + name + "' is no output of the address netlist");
+  for (const LightMaps::Map& map : maps.maps)
+    require(!map.word.is_real && map.word.width >= 1 && map.word.width <= 31, "words of '" + map.name + "' are " + to_string(map.word));
+  require(static_cast<bool>(maps.direction) && static_cast<bool>(maps.centre), "direction or centre is missing");
 }
 
 std::vector<std::string> structure_of(const Design& design) {
   std::vector<std::string> names;
   for (const Interpolant& interpolant : design.interpolants) names.push_back(interpolant.name);
   for (const BumpEncoding::Channel& channel : design.map.channels) names.push_back("map." + channel.name);
+  const LightMaps* maps = design.light_maps ? &*design.light_maps : nullptr;
+  if (maps != nullptr) {
+    names.push_back("light maps of 2^" + std::to_string(maps->address_bits) + ", columns 2^" + std::to_string(maps->column_bits));
+    for (const LightMaps::Map& map : maps->maps) names.push_back("light." + map.name + " " + to_string(map.word));
+  }
   for (const Netlist* netlist :
-       {&design.vertex, design.conversion ? &*design.conversion : nullptr, &design.environment, &design.illumination}) {
+       {&design.vertex, design.conversion ? &*design.conversion : nullptr, &design.environment, maps != nullptr ? &maps->address : nullptr,
+        &design.illumination, maps != nullptr ? &maps->fill : nullptr}) {
     if (netlist == nullptr) continue;
     for (const Node& node : netlist->nodes()) names.push_back(netlist->name() + ":" + name_of(node.op) + ":" + node.name);
   }
@@ -93,6 +123,7 @@ std::shared_ptr<const PipelineContext> make_context(const Scene& scene, std::vec
   context->design_of_object = std::move(design_of_object);
   context->options = options;
   context->lights = static_cast<int>(scene.lights.size());
+  context->passes = context->designs.front().light_maps ? 1 : context->lights;
 
   const std::vector<std::string> structure = structure_of(context->designs.front());
   for (const Design& design : context->designs)
@@ -100,12 +131,13 @@ std::shared_ptr<const PipelineContext> make_context(const Scene& scene, std::vec
       does_not_fit("designs of two materials differ", "only table contents and constants may follow the material");
 
   const glm::dmat4 to_clip = world_to_clip(scene.camera, scene.width, scene.height, far_distance(scene));
-  for (const SceneObject& object : scene.objects) context->spaces.push_back(make_object_space(scene, object, to_clip));
+  for (const SceneObject& object : scene.objects) context->spaces.push_back(make_object_space(scene, object, to_clip, options.shading));
 
   const Design& design = context->designs.front();
   add_interpolants(*context);
   if (options.probe_directions) add_probes(*context);
   for (const char* channel : {"tex.r", "tex.g", "tex.b"}) context->planes.add(channel);
+  if (design.light_maps) context->planes.add("light_map.base");
   context->shared_planes = static_cast<int>(context->planes.size());
   for (const BumpEncoding::Channel& channel : design.map.channels) context->planes.add("map." + channel.name);
   if (design.conversion) {
@@ -115,6 +147,11 @@ std::shared_ptr<const PipelineContext> make_context(const Scene& scene, std::vec
     add_outputs(*context, *design.conversion);
   }
   add_outputs(*context, design.environment);
+  if (design.light_maps) {
+    check_light_maps(*design.light_maps);
+    add_outputs(*context, design.light_maps->address);
+    for (const LightMaps::Map& map : design.light_maps->maps) context->planes.add("light." + map.name);
+  }
   add_outputs(*context, design.illumination);
   for (const char* channel : {"colour.r", "colour.g", "colour.b"}) context->planes.add(channel);
   return context;

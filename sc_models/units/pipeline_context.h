@@ -3,9 +3,10 @@
 // of a fragment block. Built once, before the units, and constant afterwards. No hardware and no time.
 //
 // Planes, in this order: interpolants (per light where the vertex program's output depends on the light), probes ("probe.P.x" ...
-// "probe.B.z": position and frame in object space, interpolated for the report of angular errors only), texels "tex.r/g/b" -- up to here
-// the hardware holds what the double evaluation holds, and one plane serves both -- then "map.<channel>", the outputs of conversion,
-// environment and illumination netlist per light, and "colour.r/g/b".
+// "probe.B.z": position and frame in object space, interpolated for the report of angular errors only), texels "tex.r/g/b", and, of designs
+// with light maps, "light_map.base" -- up to here the hardware holds what the double evaluation holds, and one plane serves both -- then
+// "map.<channel>", the outputs of conversion and environment netlist per pass, with light maps those of the address netlist and
+// "light.<name>", the outputs of the illumination netlist per pass, and "colour.r/g/b". A pass is a light; with light maps there is one.
 
 #include <memory>
 #include <string>
@@ -23,6 +24,7 @@ struct ContextOptions {
   Arithmetic arithmetic = Arithmetic::fixed;
   bool keep_exact = true;         ///< with fixed point: compute the double-precision planes, too
   bool probe_directions = false;  ///< interpolate the probes and measure the directions that the environment unit delivers
+  ShadingSpace shading = ShadingSpace::object;  ///< axes of the vectors that the vertex program reads
 };
 
 /// One interpolated component besides u and v.
@@ -40,6 +42,7 @@ struct PipelineContext {
   std::vector<int> design_of_object;  ///< index into designs, one per object
   ContextOptions options;
   int lights = 0;
+  int passes = 0;  ///< executions of the per-pixel netlists for each fragment: one for each light, or one where light maps sum them
   std::vector<ObjectSpace> spaces;  ///< one per object
   std::vector<Attribute> attributes;
   PlaneMap planes;
@@ -52,7 +55,7 @@ struct PipelineContext {
   int stride() const { return static_cast<int>(attributes.size()) + 2; }
   /// Whether blocks carry double-precision planes of their own.
   bool separate_exact() const { return options.arithmetic == Arithmetic::fixed && options.keep_exact; }
-  /// The plane that a netlist's port `name` means in the execution for `light`: the light's own if there is one, else the common one.
+  /// The plane that a netlist's port `name` means in the pass for `light`: the light's own if there is one, else the common one.
   int plane(const std::string& name, int light) const;
   /// The plane of the double-precision evaluation, wherever it is kept.
   const Lanes& exact_plane(const FragmentBlock& block, int index) const;

@@ -5,10 +5,14 @@
 
 namespace bump {
 
+glm::dmat4 world_to_eye(const Camera& camera) {
+  return glm::lookAtRH(camera.eye, camera.target, camera.up);
+}
+
 glm::dmat4 world_to_clip(const Camera& camera, int width, int height, double far) {
   const double aspect = static_cast<double>(width) / static_cast<double>(height);
   const glm::dmat4 projection = glm::perspectiveRH_NO(glm::radians(camera.field_of_view), aspect, camera.near, far);
-  return projection * glm::lookAtRH(camera.eye, camera.target, camera.up);
+  return projection * world_to_eye(camera);
 }
 
 double far_distance(const Scene& scene) {

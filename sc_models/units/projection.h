@@ -10,6 +10,9 @@
 
 namespace bump {
 
+/// Camera coordinates from world coordinates: the eye at the origin, x to the right, y up, z towards the viewer.
+glm::dmat4 world_to_eye(const Camera& camera);
+
 /// Homogeneous clip coordinates from world coordinates for a frame of width x height pixels. `far` > camera.near, in world units.
 /// Square pixels: the horizontal field of view follows from the aspect ratio.
 glm::dmat4 world_to_clip(const Camera& camera, int width, int height, double far);

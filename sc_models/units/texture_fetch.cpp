@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "datapath/invariant.h"
-#include "memory/level_of_detail.h"
 #include "units/bump_map.h"
 
 namespace bump {
@@ -15,6 +15,14 @@ namespace {
 Filter filter_called(const std::string& name) {
   if (name == "nearest") return Filter::nearest;
   return name == "bilinear" ? Filter::bilinear : Filter::trilinear;
+}
+
+void refuse_other_space(const BumpEncoding& encoding, const PipelineContext& context) {
+  if (encoding.in_object_space && context.options.shading != ShadingSpace::object)
+    throw Error({"a bump map in object space beside vectors in another space",
+                 {},
+                 "its normals are dotted with L and H as they are",
+                 "vertex_processor.space=object, or a bump map in tangent space"});
 }
 
 }  // namespace
@@ -52,7 +60,8 @@ TextureFetch::TextureFetch(std::shared_ptr<const PipelineContext> context, const
   if (has_map_) map_plane_ = context_->planes.index("map." + channels.front().name);
   // Objects that share a texture share it in memory; a bump map is shared by objects of one design.
   std::map<const Texture*, int> colours;
-  std::map<std::pair<const Texture*, int>, int> maps;
+  using MapKey = std::tuple<const Texture*, const Texture*, const Mesh*, int>;  // heights and mesh: of a map that belongs to a surface
+  std::map<MapKey, ObjectTextures> maps;
   for (std::size_t i = 0; i < context_->scene->objects.size(); ++i) {
     const SceneObject& object = context_->scene->objects[i];
     BUMP_ASSERT(object.colour && object.colour->channels == 3 && object.normals && object.normals->channels == 3);
@@ -63,16 +72,33 @@ TextureFetch::TextureFetch(std::shared_ptr<const PipelineContext> context, const
       objects_.push_back({colour->second, -1});
       continue;
     }
-    auto map = maps.find({object.normals.get(), design});
+    const BumpEncoding& encoding = context_->designs[static_cast<std::size_t>(design)].map;
+    refuse_other_space(encoding, *context_);
+    const bool baked = static_cast<bool>(encoding.bake);
+    const MapKey key{object.normals.get(), baked ? object.heights.get() : nullptr, baked ? object.mesh.get() : nullptr, design};
+    auto map = maps.find(key);
     if (map == maps.end()) {
-      const BumpEncoding& encoding = context_->designs[static_cast<std::size_t>(design)].map;
-      auto exact = std::make_shared<const Texture>(encode_bump_map(*object.normals, encoding));
-      const bool is_fixed = context_->options.arithmetic == Arithmetic::fixed;
-      auto hardware = is_fixed ? std::make_shared<const Texture>(quantise_texels(*exact, encoding)) : exact;
-      map = maps.emplace(std::make_pair(object.normals.get(), design), place(hardware, context_->separate_exact() ? exact : nullptr)).first;
+      ObjectTextures textures;
+      if (baked) {
+        const SurfaceMap surface = encoding.bake(object);
+        textures.map = place_map(surface.normals, encoding);
+        textures.map_origin = surface.uv_origin;
+        textures.map_scale = surface.uv_scale;
+      } else {
+        textures.map = place_map(*object.normals, encoding);
+      }
+      map = maps.emplace(key, textures).first;
     }
-    objects_.push_back({colour->second, map->second});
+    objects_.push_back(map->second);
+    objects_.back().colour = colour->second;
   }
+}
+
+int TextureFetch::place_map(const Texture& normals, const BumpEncoding& encoding) {
+  auto exact = std::make_shared<const Texture>(encode_bump_map(normals, encoding));
+  const bool is_fixed = context_->options.arithmetic == Arithmetic::fixed;
+  auto hardware = is_fixed ? std::make_shared<const Texture>(quantise_texels(*exact, encoding)) : exact;
+  return place(hardware, context_->separate_exact() ? exact : nullptr);
 }
 
 int TextureFetch::place(std::shared_ptr<const Texture> hardware, std::shared_ptr<const Texture> exact) {
@@ -117,9 +143,9 @@ void TextureFetch::fetch_footprint(const Resident& texture, const BilinearFootpr
   if (texture.exact) filter_footprint(*texture.exact, texture.exact->levels.front(), f, store_in(block.exact));
 }
 
-void TextureFetch::fetch(const Resident& texture, FragmentBlock& block, std::size_t lane, int plane) {
+void TextureFetch::fetch(const Resident& texture, const Access& access, FragmentBlock& block, std::size_t lane, int plane) {
   const Texture& hardware = *texture.hardware;
-  const double u = block.u[lane], v = block.v[lane];
+  const double u = access.u, v = access.v;
   // The bilinear filter reads level 0 only (memory/level_of_detail.h): nearly all fetches of nearly all runs.
   BilinearFootprint footprint;
   if (config_.filter == Filter::bilinear && hardware.filterable && find_footprint(hardware, hardware.levels.front(), u, v, footprint)) {
@@ -127,8 +153,7 @@ void TextureFetch::fetch(const Resident& texture, FragmentBlock& block, std::siz
     return;
   }
   TexelTap taps[8];
-  const TextureDerivatives derivatives{block.dudx[lane], block.dvdx[lane], block.dudy[lane], block.dvdy[lane]};
-  const int count = texel_taps(hardware, config_.filter, u, v, lod_of_access(hardware, config_.filter, derivatives), taps);
+  const int count = texel_taps(hardware, config_.filter, u, v, lod_of_access(hardware, config_.filter, access.derivatives), taps);
   counters_.reads += count;
   for (int i = 0; i < count; ++i) {
     if (i == 0 || taps[i].level != taps[i - 1].level) ++footprints_;
@@ -150,8 +175,17 @@ void TextureFetch::process(FragmentBlock& block) {
   for (std::size_t lane = 0; lane < static_cast<std::size_t>(block.lanes); ++lane) {
     line_count_ = 0;
     footprints_ = misses_ = 0;
-    fetch(colour, block, lane, colour_plane_);
-    if (map) fetch(*map, block, lane, map_plane_);
+    const Access access{block.u[lane], block.v[lane], {block.dudx[lane], block.dvdx[lane], block.dudy[lane], block.dvdy[lane]}};
+    fetch(colour, access, block, lane, colour_plane_);
+    if (map) {
+      // Offset and scale are 0 and 1, and change no bit, unless the map was made for this surface.
+      const glm::dvec2 &origin = textures.map_origin, &scale = textures.map_scale;
+      const TextureDerivatives& d = access.derivatives;
+      const Access scaled{(access.u - origin.x) * scale.x,
+                          (access.v - origin.y) * scale.y,
+                          {d.dudx * scale.x, d.dvdx * scale.y, d.dudy * scale.x, d.dvdy * scale.y}};
+      fetch(*map, scaled, block, lane, map_plane_);
+    }
     TokenRecord record;
     record.interval = static_cast<std::uint32_t>((footprints_ + config_.footprints_per_cycle - 1) / config_.footprints_per_cycle);
     record.misses = static_cast<std::uint16_t>(misses_);

@@ -7,10 +7,12 @@
 // architecture", 1998.
 
 #include <array>
+#include <glm/glm.hpp>
 #include <memory>
 #include <vector>
 
 #include "channels/parameters.h"
+#include "memory/level_of_detail.h"
 #include "memory/texture_cache.h"
 #include "units/bilinear_footprint.h"
 #include "units/counters.h"
@@ -33,7 +35,8 @@ struct TextureFetchConfig {
 
 class TextureFetch {
  public:
-  /// Encodes the bump maps of all objects.
+  /// Encodes the bump maps of all objects, and makes those that belong to one surface (BumpEncoding::bake). Throws Error(input) if an
+  /// object cannot have such a map, or if a map in object space meets vectors in another.
   TextureFetch(std::shared_ptr<const PipelineContext> context, const TextureFetchConfig& config);
   void process(FragmentBlock& block);
 
@@ -46,12 +49,21 @@ class TextureFetch {
     TextureLayout layout;
   };
   struct ObjectTextures {
-    int colour = 0, map = 0;  ///< index into residents_; map: only if has_map_
+    int colour = 0, map = 0;                 ///< index into residents_; map: only if has_map_
+    glm::dvec2 map_origin{0}, map_scale{1};  ///< coordinates of the bump map: (uv - origin) * scale, where a map spans several repeats
+  };
+
+  /// Where a texture is read.
+  struct Access {
+    double u, v;
+    TextureDerivatives derivatives;
   };
 
   int place(std::shared_ptr<const Texture> hardware, std::shared_ptr<const Texture> exact);
+  /// Encodes normals and places the map.
+  int place_map(const Texture& normals, const BumpEncoding& encoding);
   /// Texels of one texture for one fragment, into the planes from `plane` on.
-  void fetch(const Resident& texture, FragmentBlock& block, std::size_t lane, int plane);
+  void fetch(const Resident& texture, const Access& access, FragmentBlock& block, std::size_t lane, int plane);
   void fetch_footprint(const Resident& texture, const BilinearFootprint& footprint, FragmentBlock& block, std::size_t lane, int plane);
   void look_up(std::uint64_t address);
 

@@ -27,6 +27,35 @@ bool reads(const Netlist& program, char letter) {
   return std::any_of(program.inputs().begin(), program.inputs().end(), [&](const Netlist::Port& port) { return port.name[0] == letter; });
 }
 
+std::vector<Wire> vector_inputs(Netlist& netlist, const std::string& name, const std::string& axes) {
+  std::vector<Wire> vector;
+  for (const char axis : axes) vector.push_back(netlist.input(name + "." + axis, real()));
+  return vector;
+}
+
+/// Square, as many rows as there are axes; row by row. Element of row x and column y: "name.x.y".
+std::vector<Wire> matrix_inputs(Netlist& netlist, const std::string& name, const std::string& axes) {
+  std::vector<Wire> matrix;
+  for (const char row : axes)
+    for (const char column : axes) matrix.push_back(netlist.input(name + "." + row + "." + column, real()));
+  return matrix;
+}
+
+std::vector<Wire> matrix_product(Netlist& netlist, const std::string& name, const std::string& axes, const std::vector<Wire>& matrix,
+                                 const std::vector<Wire>& vector) {
+  std::vector<Wire> product;
+  for (const char row : axes) {
+    Wire sum;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const std::string term = name + "." + row + "." + axes[i];
+      const Wire part = netlist.mul(term, matrix[product.size() * axes.size() + i], vector[i], real());
+      sum = i == 0 ? part : netlist.add(term + ".sum", sum, part, real());
+    }
+    product.push_back(sum);
+  }
+  return product;
+}
+
 glm::dvec3 binormal(const Vertex& vertex) {
   return vertex.handedness * glm::cross(vertex.normal, vertex.tangent);
 }
@@ -36,49 +65,82 @@ glm::dvec3 binormal(const Vertex& vertex) {
 void VertexProcessorConfig::declare(Parameters& p) {
   p.integer("vertex_processor.alus", 4, 1, 4096, "arithmetic units", "operations of a vertex executed each cycle");
   p.integer("vertex_processor.cache_entries", 16, 0, 65536, "vertices", "post-transform cache, first in first out; 0 for none");
+  p.choice(
+      "vertex_processor.space", "object", {"object", "eye"},
+      "axes of the vectors that are shaded: the object's own, or the camera's (z towards the viewer), for some operations more a vertex; "
+      "where the pole of schemes on polar angles is");
   p.integer("vertex_processor.latency", 8, 1, 4096, "cycles", "from the last operation of a triangle to its delivery");
 }
 
 VertexProcessorConfig::VertexProcessorConfig(const Configuration& c)
     : alus(static_cast<int>(c.integer("vertex_processor.alus"))),
       cache_entries(static_cast<int>(c.integer("vertex_processor.cache_entries"))),
-      latency(static_cast<int>(c.integer("vertex_processor.latency"))) {}
+      latency(static_cast<int>(c.integer("vertex_processor.latency"))),
+      space(c.choice("vertex_processor.space") == "eye" ? ShadingSpace::eye : ShadingSpace::object) {}
 
 std::int64_t operations(const Inventory& i) {
   return i.multipliers + i.adders + i.dividers + i.square_roots + i.tables + i.maps;
 }
 
-Netlist vertex_transform(bool towards_eye, int point_lights) {
+Netlist vertex_transform(const TransformNeeds& needs) {
   Netlist netlist("vertex_transform");
   const Format format = real();
-  const std::string axes = "xyzw";
-  std::vector<Wire> position;
-  for (const char axis : axes) position.push_back(netlist.input(std::string("P.") + axis, format));
-  for (const char row : axes) {
-    Wire sum;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::string term = std::string("clip.") + row + "." + axes[i];
-      const Wire product = netlist.mul(term, netlist.input("M." + term, format), position[i], format);
-      sum = i == 0 ? product : netlist.add(term + ".sum", sum, product, format);
+  std::vector<Wire> position = vector_inputs(netlist, "P", "xyzw");
+  const std::vector<Wire> clip = matrix_product(netlist, "clip", "xyzw", matrix_inputs(netlist, "M.clip", "xyzw"), position);
+  for (std::size_t i = 0; i < 4; ++i) netlist.output(std::string("clip.") + "xyzw"[i], clip[i]);
+
+  const bool in_eye_space = needs.space == ShadingSpace::eye;
+  if (in_eye_space && !needs.frame.empty()) {
+    const std::vector<Wire> rotation = matrix_inputs(netlist, "R", "xyz");
+    for (const char letter : needs.frame) {
+      const std::string name(1, letter);
+      const std::vector<Wire> turned = matrix_product(netlist, name + "_eye", "xyz", rotation, vector_inputs(netlist, name, "xyz"));
+      for (std::size_t i = 0; i < 3; ++i) netlist.output(name + "_eye." + "xyz"[i], turned[i]);
     }
-    netlist.output(std::string("clip.") + row, sum);
+  }
+  if (in_eye_space && (needs.towards_eye || needs.point_lights > 0)) {
+    position.pop_back();  // w is 1: the last column is only added
+    position = matrix_product(netlist, "eye", "xyz", matrix_inputs(netlist, "M.eye", "xyz"), position);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string row = std::string("eye.") + "xyz"[i];
+      position[i] = netlist.add(row + ".w.sum", position[i], netlist.input("M." + row + ".w", format), format);
+    }
   }
   const auto difference = [&](const std::string& name) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::string component = name + "." + axes[i];
+      const std::string component = name + "." + "xyz"[i];
       netlist.output(component, netlist.sub(component, netlist.input("from." + component, format), position[i], format));
     }
   };
-  if (towards_eye) difference("V");
-  for (int light = 0; light < point_lights; ++light) difference(plane_of_light("L", light));
+  if (needs.towards_eye && in_eye_space) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string component = std::string("V.") + "xyz"[i];
+      netlist.output(component, netlist.negate(component, position[i], format));
+    }
+  }
+  if (needs.towards_eye && !in_eye_space) difference("V");
+  for (int light = 0; light < needs.point_lights; ++light) difference(plane_of_light("L", light));
   return netlist;
+}
+
+Netlist vertex_transform(bool towards_eye, int point_lights) {
+  TransformNeeds needs;
+  needs.towards_eye = towards_eye;
+  needs.point_lights = point_lights;
+  return vertex_transform(needs);
 }
 
 Netlist vertex_transform(const PipelineContext& context) {
   const Netlist& program = context.designs.front().vertex;
   const std::vector<Light>& lights = context.scene->lights;
   const auto points = std::count_if(lights.begin(), lights.end(), [](const Light& light) { return !light.directional; });
-  return vertex_transform(reads(program, 'V'), reads(program, 'L') ? static_cast<int>(points) : 0);
+  TransformNeeds needs;
+  needs.space = context.options.shading;
+  needs.towards_eye = reads(program, 'V');
+  needs.point_lights = reads(program, 'L') ? static_cast<int>(points) : 0;
+  for (const char letter : {'N', 'T', 'B'})
+    if (reads(program, letter)) needs.frame += letter;
+  return vertex_transform(needs);
 }
 
 VertexWork vertex_work(const PipelineContext& context) {
@@ -138,8 +200,10 @@ void VertexProcessor::run_program(int first, int count) {
   for (int light = 0; light < std::max(1, context_->lights); ++light) {
     for (int lane = 0; lane < count; ++lane) {
       const Vertex& vertex = mesh.vertices[static_cast<std::size_t>(first + lane)];
-      const glm::dvec3 towards_light = context_->lights > 0 ? space.light_vector(light, vertex.position) : vertex.normal;
-      const glm::dvec3 read[vectors] = {vertex.normal, vertex.tangent, binormal(vertex), towards_light, space.eye_vector(vertex.position)};
+      const glm::dvec3 normal = space.direction(vertex.normal);
+      const glm::dvec3 towards_light = context_->lights > 0 ? space.light_vector(light, vertex.position) : normal;
+      const glm::dvec3 read[vectors] = {normal, space.direction(vertex.tangent), space.direction(binormal(vertex)), towards_light,
+                                        space.eye_vector(vertex.position)};
       for (int slot = 0; slot < 3 * vectors; ++slot)
         slots[static_cast<std::size_t>(slot)][static_cast<std::size_t>(lane)] = read[slot / 3][slot % 3];
     }

@@ -19,9 +19,10 @@
 namespace bump {
 
 struct VertexProcessorConfig {
-  int alus = 4;            ///< arithmetic units, one operation a cycle each
-  int cache_entries = 16;  ///< post-transform cache, 0 for none
-  int latency = 8;         ///< cycles behind the last operation
+  int alus = 4;                               ///< arithmetic units, one operation a cycle each
+  int cache_entries = 16;                     ///< post-transform cache, 0 for none
+  int latency = 8;                            ///< cycles behind the last operation
+  ShadingSpace space = ShadingSpace::object;  ///< axes of the vectors that the scheme's vertex program reads
 
   static void declare(Parameters& parameters);
   VertexProcessorConfig() = default;
@@ -30,7 +31,7 @@ struct VertexProcessorConfig {
 
 /// Operations of one vertex. Additions, subtractions, multiplications, divisions, square roots and table reads weigh 1, all else 0.
 struct VertexWork {
-  std::int64_t transform = 0;  ///< clip position; vectors to the eye and to point lights if the program reads them
+  std::int64_t transform = 0;  ///< clip position, and whatever brings the vectors that the program reads into the axes of shading
   std::int64_t once = 0;       ///< nodes of the program that do not depend on the light
   std::int64_t per_light = 0;  ///< nodes that do
   int lights = 0;
@@ -38,10 +39,21 @@ struct VertexWork {
 };
 
 std::int64_t operations(const Inventory& inventory);
-/// The transform every scheme shares, as hardware: homogeneous matrix times vector, and the differences towards the eye and each point
-/// light.
+/// What the transform delivers beside the clip position.
+struct TransformNeeds {
+  bool towards_eye = false;  ///< V
+  int point_lights = 0;      ///< an L each; directional lights come in the axes of shading already
+  std::string frame;         ///< of "NTB", those that the program reads; in object space they pass as they are
+  ShadingSpace space = ShadingSpace::object;
+};
+/// The transform every scheme shares, as hardware: homogeneous matrix times vector (16 multipliers, 12 adders), and the differences towards
+/// the eye and each point light (3 adders). In eye space each vector of the frame takes a rotation (9, 6); the position, if V or a point
+/// light needs it, a matrix and a shift (9, 9); and V is its negation. Real-valued; inputs P (w = 1), N, T, B, the matrices M.clip, M.eye
+/// and R, and "from.V", "from.L", "from.L#1" ..., eye and point lights in the axes of shading.
+Netlist vertex_transform(const TransformNeeds& needs);
+/// In object space.
 Netlist vertex_transform(bool towards_eye, int point_lights);
-/// With the differences that the scheme's vertex program reads.
+/// With what the scheme's vertex program reads.
 Netlist vertex_transform(const PipelineContext& context);
 VertexWork vertex_work(const PipelineContext& context);
 

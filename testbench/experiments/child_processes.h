@@ -1,7 +1,7 @@
 #pragma once
-// Work in processes of its own, several side by side: SystemC elaborates once per process, so every simulation of a comparison needs a process, and two
-// cores are used as well. A child starts as a copy of the parent (what was read or drawn before need not be read again) and hands back bytes.
-// The outcomes come in the order of the tasks, whatever the number of jobs. No model of hardware.
+// Work in processes of its own, several side by side: SystemC elaborates once per process, so every simulation of a comparison needs a
+// process, and two cores are used as well. A child starts as a copy of the parent (what was read or drawn before need not be read again)
+// and hands back bytes. The outcomes come in the order of the tasks, whatever the number of jobs. No model of hardware.
 
 #include <atomic>
 #include <functional>

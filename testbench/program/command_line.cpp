@@ -182,7 +182,8 @@ int command_line(int argc, char* argv[]) {
     return report_failure(ErrorKind::input, bad_usage(program, error, argc, argv), asks_for_json(argc, argv));
   }
 
-  const bool json = run.json || compare.json || table1.json || table2.json || list.json || describe.json || check.json || luts.json || probe.json;
+  const bool json = run.json || compare.json || table1.json || table2.json || list.json || describe.json || check.json || luts.json || probe.json ||
+                    compare.format == "json";
   try {
     const int code = chosen();
     if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category());

@@ -49,7 +49,7 @@ struct CompareArguments {
   std::string schemes = "all";  ///< ids with commas between, or "all"
   std::string engine = "dated";
   std::string format = "text";
-  std::string out;  ///< folder: compare.json, compare.csv, compare.md, compare.png; empty: only the table on stdout
+  std::string out;  ///< folder: compare.json, .txt, .md, .csv and .png; empty: only the table on stdout
   std::vector<std::string> configuration_files;
   std::vector<std::string> settings;
   int jobs = 0;

@@ -47,19 +47,37 @@ std::string module_of(const std::string& key) { return key.substr(0, key.find('.
 Json counts_json(const Inventory& i) {
   return {{"multipliers", i.multipliers}, {"adders", i.adders}, {"dividers", i.dividers}, {"square_roots", i.square_roots},
           {"tables", i.tables}, {"maps", i.maps}, {"clamps", i.clamps}, {"selects", i.selects}, {"sign_logic", i.sign_logic},
-          {"shifts", i.shifts}, {"index_encoders", i.index_encoders}, {"table_bits", i.table_bits}};
+          {"shifts", i.shifts}, {"index_encoders", i.index_encoders}, {"second_ports", i.second_ports}, {"table_bits", i.table_bits}};
 }
 
 void print_units(const Design& design) {
-  fmt::print("\n  {:<26} {:>5} {:>6} {:>5} {:>5} {:>7} {:>6} {:>8} {:>10}\n", "built, one light", "mul", "adders", "div", "sqrt", "tables", "clamps", "selects", "table bits");
-  const auto row = [](const std::string& name, const Inventory& i) {
-    fmt::print("  {:<26} {:>5} {:>6} {:>5} {:>5} {:>7} {:>6} {:>8} {:>10}\n", name, i.multipliers, i.adders, i.dividers, i.square_roots, i.tables, i.clamps, i.selects, i.table_bits);
+  const auto row = [](const std::string& name, const auto&... cells) {
+    constexpr int widths[] = {5, 6, 5, 5, 7, 5, 6, 8, 10};
+    const int* width = widths;
+    fmt::print("  {:<26}", name);
+    (fmt::print(" {:>{}}", cells, *width++), ...);
+    fmt::print("\n");
+  };
+  fmt::print("\n");
+  row("built, one light", "mul", "adders", "div", "sqrt", "tables", "maps", "clamps", "selects", "table bits");
+  const auto counts = [&row](const std::string& name, const Inventory& i) {
+    row(name, i.multipliers, i.adders, i.dividers, i.square_roots, i.tables, i.maps, i.clamps, i.selects, i.table_bits);
   };
   for (const NamedNetlist& unit : units_of(design)) {
-    row(unit.name, count(*unit.netlist, Portion::published));
+    counts(unit.name, published_of(unit));
     const Inventory addition = count(*unit.netlist, Portion::addition);
-    if (addition.adders + addition.multipliers + addition.tables + addition.dividers + addition.square_roots > 0) row("  beside the published", addition);
+    if (addition.adders + addition.multipliers + addition.tables + addition.dividers + addition.square_roots + addition.maps > 0)
+      counts("  beside the published", addition);
   }
+}
+
+Json light_maps_json(const LightMaps& maps) {
+  Json list = Json::array();
+  for (const LightMaps::Map& map : maps.maps) {
+    const std::int64_t entries = std::int64_t{1} << maps.address_bits;
+    list.push_back({{"name", map.name}, {"word", to_string(map.word)}, {"entries", entries}, {"bits", entries * map.word.width}});
+  }
+  return list;
 }
 
 int describe_scheme(const Scheme& scheme, bool json) {
@@ -71,11 +89,12 @@ int describe_scheme(const Scheme& scheme, bool json) {
     Json document = {{"id", page.id}, {"title", page.title}, {"source", page.source}, {"provenance", page.provenance}, {"summary", page.summary}};
     for (const NamedNetlist& unit : units_of(design)) {
       Json& entry = document["units"][unit.name];
-      entry["built"] = counts_json(count(*unit.netlist, Portion::published));
+      entry["built"] = counts_json(published_of(unit));
       entry["additional"] = counts_json(count(*unit.netlist, Portion::addition));
       for (const Netlist::Port& port : unit.netlist->inputs()) entry["inputs"].push_back({{"name", port.name}, {"format", to_string(unit.netlist->nodes()[port.node].format)}});
       for (const Netlist::Port& port : unit.netlist->outputs()) entry["outputs"].push_back(port.name);
     }
+    if (design.light_maps) document["light_maps"] = light_maps_json(*design.light_maps);
     document["interpolants"] = Json::array();
     for (const Interpolant& i : design.interpolants) document["interpolants"].push_back(i.name);
     document["parameters"] = Json::array();
@@ -90,6 +109,11 @@ int describe_scheme(const Scheme& scheme, bool json) {
   fmt::print("\n  bump map texel:");
   for (const auto& channel : design.map.channels) fmt::print(" {} {}", channel.name, to_string(channel.format));
   fmt::print("{}\n", design.map.note.empty() ? "" : " (" + design.map.note + ")");
+  if (design.light_maps) {
+    fmt::print("  light maps of 2^{} words an object:", design.light_maps->address_bits);
+    for (const LightMaps::Map& map : design.light_maps->maps) fmt::print(" {} {}", map.name, to_string(map.word));
+    fmt::print("\n");
+  }
   for (const NamedNetlist& unit : units_of(design)) {
     fmt::print("  inputs of {}:", unit.name);
     for (const Netlist::Port& port : unit.netlist->inputs()) fmt::print(" {}", port.name);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "testbench/program/warning.h"
+#include "testbench/results/error_json.h"
 
 namespace bump {
 
@@ -13,39 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* status_of(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::input:
-      return "error";
-    case ErrorKind::deadlock:
-      return "deadlock";
-    case ErrorKind::self_check:
-      return "self_check_failed";
-    case ErrorKind::internal:
-      return "internal_error";
-    case ErrorKind::cancelled:
-      return "interrupted";
-  }
-  return "error";
-}
-
-Json known(const std::string& text) {
-  return text.empty() ? Json(nullptr) : Json(text);
-}
-Json known(int number) {
-  return number > 0 ? Json(number) : Json(nullptr);
-}
-
 Json document(ErrorKind kind, const ErrorText& text) {
   Json json;
   json["status"] = status_of(kind);
-  Json& error = json["error"];
-  error["what"] = text.what;
-  error["file"] = known(text.where.file);
-  error["line"] = known(text.where.line);
-  error["column"] = known(text.where.column);
-  error["why"] = known(text.why);
-  error["try"] = known(text.try_this);
+  json["error"] = to_json(text);
   return json;
 }
 

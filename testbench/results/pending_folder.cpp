@@ -1,6 +1,7 @@
 #include "testbench/results/pending_folder.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 struct PartialState {
   std::atomic<bool> active{false};
   std::atomic<int> files{0};
-  std::array<std::array<char, PATH_MAX>, 16> file{};
+  std::array<std::array<char, PATH_MAX>, 32> file{};
   std::array<char, PATH_MAX> folder{}, out{}, replaced{};
 };
 PartialState partial_state;
@@ -47,11 +48,11 @@ std::string reason(int error) {
   throw Error({what, {path}, why, "free space or rights there, or choose another folder with --out"});
 }
 
-bool is_result(const fs::path& folder) {
-  std::ifstream file(folder / "result.json");
+bool is_of_kind(const fs::path& folder, const FolderKind& kind) {
+  std::ifstream file(folder / kind.files.front());
   if (!file) return false;
   const nlohmann::json document = nlohmann::json::parse(file, nullptr, false);
-  return document.is_object() && document.value("schema", nlohmann::json()) == "bumpsim-result";
+  return document.is_object() && document.value("schema", nlohmann::json()) == kind.schema;
 }
 
 /// Without trailing slash and symbolic links, so that "beside it" and "rename" mean what they say.
@@ -75,23 +76,27 @@ void check_parent(const fs::path& out) {
     fail("cannot create the output folder", out.string(), reason(errno) + ": " + parent.string());
 }
 
+bool may_hold(const FolderKind& kind, const std::string& name) {
+  return !name.empty() && std::find(kind.files.begin(), kind.files.end(), name) != kind.files.end();
+}
+
 /// Replacing the folder would take along whatever else lies in it.
-void check_for_other_files(const fs::path& out) {
+void check_for_other_files(const fs::path& out, const FolderKind& kind) {
   std::error_code error;
   fs::directory_iterator entries(out, error);
   for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
     const fs::path& path = entries->path();
-    const bool known = std::find(result_files.begin(), result_files.end(), path.filename().string()) != result_files.end();
+    const bool known = may_hold(kind, path.filename().string());
     if (known && entries->symlink_status(error).type() == fs::file_type::regular) continue;
-    throw Error({"the output folder holds more than a result",
+    throw Error({fmt::format("the output folder holds more than a {}", kind.name),
                  {path.string()},
-                 "replacing the result would remove this too",
+                 "replacing it would remove this too",
                  "move it elsewhere, or choose another folder with --out"});
   }
   if (error) fail("cannot read the output folder", out.string(), error.message());
 }
 
-void check(const fs::path& out, bool force) {
+void check(const fs::path& out, bool force, const FolderKind& kind) {
   check_parent(out);
   std::error_code error;
   if (fs::is_symlink(out, error)) fail("cannot use the output folder", out.string(), "it is a symbolic link to nothing");
@@ -102,28 +107,28 @@ void check(const fs::path& out, bool force) {
   const bool empty = fs::is_empty(out, error);
   if (error) fail("cannot read the output folder", out.string(), error.message());
   if (empty) return;
-  if (!is_result(out)) {
+  if (!is_of_kind(out, kind)) {
     throw Error({"the output folder is in use",
                  {out.string()},
-                 "it is not empty and holds no result of bumpsim",
+                 fmt::format("it is not empty and holds no {} of bumpsim", kind.name),
                  "choose another folder with --out"});
   }
-  check_for_other_files(out);
+  check_for_other_files(out, kind);
   if (!force) {
     throw Error(
-        {"the output folder holds an earlier result", {out.string()}, "", "replace it with --force, or choose another folder with --out"});
+        {fmt::format("the output folder holds an earlier {}", kind.name), {out.string()}, "", "replace it with --force, or choose another folder with --out"});
   }
 }
 
 }  // namespace
 
-void check_output_folder(const std::string& out, bool force) {
-  check(resolve(out), force);
+void check_output_folder(const std::string& out, bool force, const FolderKind& kind) {
+  check(resolve(out), force, kind);
 }
 
-PendingFolder::PendingFolder(const std::string& out, bool force) : force_(force) {
+PendingFolder::PendingFolder(const std::string& out, bool force, const FolderKind& kind) : kind_(kind), force_(force) {
   const fs::path path = resolve(out);
-  check(path, force);
+  check(path, force, kind);
   out_ = path.string();
   const std::string process = std::to_string(::getpid());
   partial_ = out_ + ".partial-" + process;
@@ -152,7 +157,7 @@ PendingFolder::~PendingFolder() {
 
 void PendingFolder::write(const std::string& name, std::string_view bytes) {
   const std::string path = partial_ + "/" + name;
-  BUMP_ASSERT(std::find(result_files.begin(), result_files.end(), name) != result_files.end());
+  BUMP_ASSERT(may_hold(kind_, name));
   const int index = partial_state.files;
   BUMP_ASSERT(index < static_cast<int>(partial_state.file.size()));
   copy_path(partial_state.file[static_cast<std::size_t>(index)], path);
@@ -173,7 +178,7 @@ void PendingFolder::write(const std::string& name, std::string_view bytes) {
 }
 
 void PendingFolder::commit() {
-  check(out_, force_);
+  check(out_, force_, kind_);
   std::error_code error;
   const bool replace = fs::exists(out_, error) && !fs::is_empty(out_, error);
   if (replace && std::rename(out_.c_str(), replaced_.c_str()) != 0) fail("cannot replace the earlier result", out_, reason(errno));

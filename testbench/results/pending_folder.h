@@ -9,24 +9,30 @@
 
 namespace bump {
 
-/// Every file that a result may consist of.
-inline constexpr std::array<std::string_view, 6> result_files = {
-    "result.json", "config.resolved.toml", "stats.csv", "frame.png", "frame.exr", "error.png"};
+/// What a folder of the program holds, and by which it is told from a folder of the user.
+struct FolderKind {
+  std::string_view name;    ///< for messages: "result"
+  std::string_view schema;  ///< the value of "schema" in the first file, a JSON document
+  std::array<std::string_view, 32> files;  ///< every file that it may consist of; unused places at the end empty
+};
 
-/// Throws Error(input) if a result cannot be written to `out`: something else than a folder is in the way, the folder holds anything but
-/// the files of a result of this program, or it holds just these and `force` is not set; or the folder it would be made in is none or may
+inline constexpr FolderKind result_folder_kind = {
+    "result", "bumpsim-result", {"result.json", "config.resolved.toml", "stats.csv", "frame.png", "frame.exr", "error.png"}};
+
+/// Throws Error(input) if such a folder cannot be written to `out`: something else than a folder is in the way, the folder holds anything but
+/// the files of an earlier one of its kind, or it holds just these and `force` is not set; or the folder it would be made in is none or may
 /// not be written to. Creates nothing; call it before a long run.
-void check_output_folder(const std::string& out, bool force);
+void check_output_folder(const std::string& out, bool force, const FolderKind& kind = result_folder_kind);
 
 class PendingFolder {
  public:
   /// Checks as above, creates missing parent folders and the partial folder. One at a time in a process.
-  PendingFolder(const std::string& out, bool force);
+  PendingFolder(const std::string& out, bool force, const FolderKind& kind = result_folder_kind);
   ~PendingFolder();
   PendingFolder(const PendingFolder&) = delete;
   PendingFolder& operator=(const PendingFolder&) = delete;
 
-  /// Writes a new file, one of `result_files`. Throws Error(input) naming the file and the system's reason when the disk is full or
+  /// Writes a new file, one of the files of its kind. Throws Error(input) naming the file and the system's reason when the disk is full or
   /// anything else goes wrong.
   void write(const std::string& name, std::string_view bytes);
   /// Moves the folder into place; an earlier result is removed only after that, and only if still nothing else has come into its folder.
@@ -34,6 +40,7 @@ class PendingFolder {
   const std::string& partial_path() const { return partial_; }
 
  private:
+  FolderKind kind_;
   std::string out_, partial_, replaced_;
   bool force_, committed_ = false;
 };

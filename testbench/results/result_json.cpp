@@ -35,6 +35,7 @@ Json built(const Inventory& inventory) {
   json["clamps"] = inventory.clamps;
   json["selects"] = inventory.selects;
   json["index_encoders"] = inventory.index_encoders;
+  json["second_ports"] = inventory.second_ports;
   json["table_bits"] = inventory.table_bits;
   json["distinct_table_bits"] = inventory.distinct_table_bits;
   return json;
@@ -63,6 +64,24 @@ Json unit_json(const UnitCost& unit, std::int64_t fragments) {
           {"latency", unit.pipeline ? Json(unit.pipeline->latency) : Json()},
           {"initiation_interval", unit.pipeline ? Json(unit.pipeline->initiation_interval) : Json()},
           {"multipliers_after_sharing", unit.pipeline ? Json(unit.pipeline->multipliers) : Json()}};
+}
+
+Json light_maps_json(const std::vector<LightMapUse>& maps) {
+  Json list = Json::array();
+  for (const LightMapUse& map : maps) {
+    list.push_back({{"name", map.name},
+                    {"entries", map.entries},
+                    {"bits", map.bits},
+                    {"words_written", map.words_written},
+                    {"bytes_written", map.bytes_written},
+                    {"reads", map.counters.reads},
+                    {"hits", map.counters.hits},
+                    {"misses", map.counters.misses},
+                    {"hit_rate", number(hit_rate(map.counters))},
+                    {"bytes", map.counters.bytes},
+                    {"clipped", map.counters.clipped}});
+  }
+  return list;
 }
 
 Json angular(const std::vector<AngularError>& errors) {
@@ -155,6 +174,7 @@ Json to_json(const RunReport& report) {
   const TextureCounters& texture = result.texture;
   json["texture"] = {{"reads", texture.reads},   {"accesses", texture.accesses},          {"hits", texture.hits},
                      {"misses", texture.misses}, {"hit_rate", number(hit_rate(texture))}, {"bytes", texture.bytes}};
+  if (!result.light_maps.empty()) json["light_maps"] = light_maps_json(result.light_maps);
   const GeometryCounters& geometry = result.geometry;
   json["geometry"] = {{"vertices", geometry.vertices},
                       {"vertex_reuses", geometry.vertex_reuses},

@@ -42,4 +42,9 @@ std::optional<double> hit_rate(const TextureCounters& texture) {
   return static_cast<double>(texture.hits) / static_cast<double>(texture.accesses);
 }
 
+std::optional<double> hit_rate(const LightMapCounters& map) {
+  if (map.reads <= 0) return std::nullopt;
+  return static_cast<double>(map.hits) / static_cast<double>(map.reads);
+}
+
 }  // namespace bump

@@ -53,5 +53,6 @@ void measure_quality(RunReport& report, const FrameBuffer* reference, const Fram
 std::optional<double> fragments_per_cycle(const SimulationResult& result);
 std::optional<double> frames_per_second(const SimulationResult& result);  ///< at the configured clock
 std::optional<double> hit_rate(const TextureCounters& texture);           ///< hits / cache look-ups
+std::optional<double> hit_rate(const LightMapCounters& map);              ///< hits / reads
 
 }  // namespace bump

@@ -73,6 +73,20 @@ void add_unit(Rows& rows, const UnitCost& unit) {
   rows.add("multipliers_after_sharing", unit.pipeline->multipliers, "operators");
 }
 
+void add_light_map(Rows& rows, const LightMapUse& map) {
+  rows.module("light_map." + map.name);
+  rows.add("entries", map.entries, "words");
+  rows.add("bits", map.bits, "bits");
+  rows.add("words_written", map.words_written, "words");
+  rows.add("bytes_written", map.bytes_written, "bytes");
+  rows.add("reads", map.counters.reads, "words");
+  rows.add("hits", map.counters.hits, "words");
+  rows.add("misses", map.counters.misses, "words");
+  rows.add("hit_rate", hit_rate(map.counters), "1");
+  rows.add("bytes", map.counters.bytes, "bytes");
+  rows.add("clipped", map.counters.clipped, "words");
+}
+
 void add_quality(Rows& rows, const std::string& name, const std::optional<Quality>& quality) {
   if (!quality) return;
   rows.module("quality." + name);
@@ -136,6 +150,7 @@ std::vector<StatisticRow> statistic_rows(const RunReport& report) {
   rows.add("misses", result.texture.misses, "lines");
   rows.add("hit_rate", hit_rate(result.texture), "1");
   rows.add("bytes", result.texture.bytes, "bytes");
+  for (const LightMapUse& map : result.light_maps) add_light_map(rows, map);
   rows.module("geometry");
   const GeometryCounters& geometry = result.geometry;
   rows.add("vertices", geometry.vertices, "vertices");

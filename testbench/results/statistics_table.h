@@ -11,8 +11,8 @@
 namespace bump {
 
 struct StatisticRow {
-  std::string module;     ///< "run", the name of a stage, FIFO or memory, "operators.environment", "table.environment.SC",
-                          ///< "quality.against_reference" ...
+  std::string module;  ///< "run", the name of a stage, FIFO or memory, "operators.environment", "table.environment.SC",
+                       ///< "light_map.diffuse", "quality.against_reference" ...
   std::string statistic;  ///< "busy", "psnr_db" ...
   std::string value;      ///< shortest text that reads back as the same number; "" when not applicable; "inf" for identical images
   std::string unit;       ///< "cycles", "dB", "1" for pure numbers
@@ -21,7 +21,7 @@ struct StatisticRow {
 std::vector<StatisticRow> statistic_rows(const RunReport& report);
 
 /// Meanings of the statistics that statistic_meanings() does not list, by kind of module: "run", "operators", "table", "texture",
-/// "geometry", "quality", "angular_error".
+/// "light_map", "geometry", "quality", "angular_error".
 std::vector<StatisticMeaning> result_statistic_meanings();
 
 /// The rows with a header, RFC 4180 quoting, lines ended by "\n".

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <sstream>
 #include <utility>
+#include <vector>
 
 #include "testbench/published/lee2007_table1.h"
 
@@ -38,6 +40,20 @@ std::string heading(const std::string& text) {
   return "\n" + text + "\n";
 }
 
+/// A paragraph of lines no wider than the page, indented by two, from the second line on by four.
+std::string wrapped(const std::string& text) {
+  std::string lines, line = " ";
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (line.size() + 1 + word.size() > columns) {
+      lines += line + "\n";
+      line = "   ";
+    }
+    line += " " + word;
+  }
+  return lines + line + "\n";
+}
+
 class Summary {
  public:
   explicit Summary(const RunReport& report) : report_(report), result_(*report.result) {}
@@ -47,6 +63,7 @@ class Summary {
     operators();
     tables();
     texture();
+    light_maps();
     modules();
     fifos();
     quality();
@@ -98,11 +115,20 @@ class Summary {
     for (const auto& [built, paper] : pairs) cells += fmt::format("{:>9}", cell(built, paper, available, differs));
     line("  {:<18}{}{:>16}", name, cells, timing);
     if (!published) return;
-    if (!published->available) notes_ += fmt::format("  {}: not available in Table 1\n", name);
-    if (differs) {
-      notes_ += fmt::format("  {}: Table 1 differs", name);
-      notes_ += published->remark.empty() ? "\n" : fmt::format("; {}\n", published->remark);
+    if (!published->available) notes_.push_back(fmt::format("{}: not available in Table 1", name));
+    if (differs) notes_.push_back(fmt::format("{}: Table 1 differs{}{}", name, published->remark.empty() ? "" : "; ", published->remark));
+  }
+
+  /// Table 1's step where light maps divide it between units.
+  void illumination_step() {
+    const published::Table1Cell* cell = published::table1_cell(report_.scheme->page().id, "illumination");
+    if (cell == nullptr) return;
+    Inventory step;
+    for (const UnitCost& unit : result_.units) {
+      const bool colour = unit.name == "colour" && cell->includes_colour_blending;
+      if (colour || unit.name == "light_map_address" || unit.name == "illumination") step += unit.published;
     }
+    operator_line(cell->includes_colour_blending ? "  address to colour" : "  address and it", step, cell, "");
   }
 
   void operators() {
@@ -110,16 +136,21 @@ class Summary {
     text_ += heading("operators built | Table 1 of Lee 2007 (published, where it lists the scheme)");
     line("  {:<18}{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>16}", "", "mult  ", "add  ", "div  ", "sqrt  ", "table  ", "map  ",
          "latency/interval");
+    const auto has_unit = [](const UnitCost& unit) { return unit.name == "light_map_address"; };
+    const bool in_parts = std::any_of(result_.units.begin(), result_.units.end(), has_unit);
     for (const UnitCost& unit : result_.units) {
-      const std::string timing = unit.pipeline ? fmt::format("{} / {}", unit.pipeline->latency, unit.pipeline->initiation_interval) : std::string("-");
-      operator_line(unit.name, unit.published, published::table1_cell(report_.scheme->page().id, unit.name), timing);
+      const std::string timing =
+          unit.pipeline ? fmt::format("{} / {}", unit.pipeline->latency, unit.pipeline->initiation_interval) : std::string("-");
+      const bool is_part = in_parts && unit.name == "illumination";
+      operator_line(unit.name, unit.published, is_part ? nullptr : published::table1_cell(report_.scheme->page().id, unit.name), timing);
       const Inventory& more = unit.addition;
       if (more.multipliers + more.adders + more.dividers + more.square_roots + more.tables + more.maps > 0)
         operator_line("  + beside them", more, nullptr, "");
       if (unit.pipeline && unit.pipeline->multipliers < unit.published.multipliers + more.multipliers)
         line("    shared: {} multipliers in hardware", unit.pipeline->multipliers);
     }
-    text_ += notes_;
+    if (in_parts) illumination_step();
+    for (const std::string& note : notes_) text_ += wrapped(note);
     line("  interpolated components besides u, v: {}", result_.interpolator_components);
   }
 
@@ -143,6 +174,20 @@ class Summary {
     line("  {:<20}{:>14} hits of {} line look-ups, {} texels, {:.1f} KB from memory", "texture cache",
          rate ? fmt::format("{:.2f} %", 100 * *rate) : "-", grouped(texture.accesses), grouped(texture.reads),
          static_cast<double>(texture.bytes) / 1024);
+  }
+
+  void light_maps() {
+    if (result_.light_maps.empty()) return;
+    text_ += heading("light maps, filled once a frame");
+    for (const LightMapUse& map : result_.light_maps) {
+      const std::optional<double> rate = hit_rate(map.counters);
+      line("  {:<20}{:>14} hits of {} reads, {:.1f} KB from memory", map.name, rate ? fmt::format("{:.2f} %", 100 * *rate) : "-",
+           grouped(map.counters.reads), static_cast<double>(map.counters.bytes) / 1024);
+      line("  {:<20}{:>14} words, {} written each frame", "", grouped(map.words_written), kilobytes(8 * map.bytes_written));
+      if (map.counters.clipped > 0)
+        line("  {:<20}{:>14} reads of words that were cut off: the lights are too bright for the format", "",
+             grouped(map.counters.clipped));
+    }
   }
 
   void modules() {
@@ -212,7 +257,8 @@ class Summary {
 
   const RunReport& report_;
   const SimulationResult& result_;
-  std::string text_, notes_;
+  std::string text_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

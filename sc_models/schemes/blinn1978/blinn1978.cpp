@@ -15,7 +15,8 @@ class Blinn1978 : public Scheme {
                                  "J. F. Blinn, Simulation of Wrinkled Surfaces, SIGGRAPH 1978; as Lee et al. 2007, Eq 1, compares with it",
                                  "reconstruction (a software method laid out as hardware)",
                                  "The map holds two slopes; N' = N + Bu (N x Pv) - Bv (N x Pu) is formed and normalised at every pixel, "
-                                 "beside L and H, in object space. Exact for a square patch, but for interpolation."};
+                                 "beside L and H, in object space. Exact for a square patch, but for interpolation.",
+                                 {"environment", "illumination"}};
     return page;
   }
 

@@ -17,7 +17,8 @@ class Ernst1998 : public Scheme {
         "2007 compares with it",
         "reconstruction from the counts and remarks of Lee et al. 2007 (the paper's text was not at hand)",
         "High end: the map holds (fu, fv, 1) in tangent space, L and H are transformed per pixel, three vectors "
-        "are normalised. Low end: a bump term is blended onto Gouraud shading by four multipliers."};
+        "are normalised. Low end: a bump term is blended onto Gouraud shading by four multipliers.",
+        {"environment", "illumination"}};
     return page;
   }
 

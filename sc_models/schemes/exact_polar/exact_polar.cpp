@@ -12,7 +12,7 @@ class ExactPolar : public Scheme {
   const SchemePage& page() const override {
     static const SchemePage page{"exact_polar", "Exact rotation of polar vectors, law-of-cosines illumination",
                                  "this project's baseline for Lee et al. 2007; in no paper",
-                                 "this project's reconstruction of the rotation that the paper approximates",
+                                 "this project's: the rotation that the paper approximates, done exactly",
                                  "L and H are turned into the reference space by multiplying both rotations out: 7 multipliers and 3 "
                                  "adders a vector instead of Lee 2007's 3 and 8, "
                                  "and the result is right. Illumination, map and in-plane angle as Lee 2007."};

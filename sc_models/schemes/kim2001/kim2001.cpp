@@ -38,7 +38,8 @@ class Kim2001 : public Scheme {
                                  "J. S. Kim, J. H. Lee, K. H. Park, Computers & Graphics 25(3), 2001, as Lee et al. 2007 compares it",
                                  "illumination as Lee 2007 gives it; environment a reconstruction of its operator counts",
                                  "N', L and H are polar angles, dot products of them cost 3 multipliers and 5 tables each. L and H are "
-                                 "taken to the space of the map by a matrix, which is Lee 2007's estimate and exact, or not at all."};
+                                 "taken to the space of the map by a matrix, which is Lee 2007's estimate and exact, or not at all.",
+                                 {"environment"}};
     return page;
   }
 

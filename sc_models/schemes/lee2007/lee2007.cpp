@@ -22,7 +22,8 @@ class Lee2007 : public Scheme {
                                  "from the law of cosines. The rotation is approximate: 16 degrees off on average and up to 60 for random vectors within 90 degrees of N; "
                                  "angles interpolated across the polar axis add to that. The in-plane "
                                  "angle that general meshes need "
-                                 "is an addition to the paper, one adder."};
+                                 "is an addition to the paper, one adder.",
+                                 {"illumination"}};
     return page;
   }
 

@@ -14,6 +14,11 @@ BumpEncoding vector_map(const PeercyParameters& p) {
   map.encode = [](const glm::dvec3& normal, double* channels) {
     for (int i = 0; i < 3; ++i) channels[i] = normal[i];
   };
+  const MapSpace space = p.map;
+  const Perturbation perturbation = p.perturbation;
+  if (space == MapSpace::object || perturbation == Perturbation::surface)
+    map.bake = [space, perturbation](const SceneObject& object) { return surface_map(object, space, perturbation); };
+  map.in_object_space = space == MapSpace::object;
   map.filterable = true;
   map.note = "filtered as any texture; a shortened normal is normalised per pixel";
   return map;
@@ -22,12 +27,15 @@ BumpEncoding vector_map(const PeercyParameters& p) {
 class Peercy1997 : public Scheme {
  public:
   const SchemePage& page() const override {
-    static const SchemePage page{"peercy1997", "Tangent-space normal map",
-                                 "M. Peercy, J. Airey, B. Cabral, Efficient Bump Mapping Hardware, SIGGRAPH 1997",
-                                 "as published (widths, illumination finish: reconstruction)",
-                                 "The map holds N' in tangent space; L and H are taken there by the matrix of T, B, N, per pixel or at the "
-                                 "vertices, and interpolated; "
-                                 "three normalisers and two dot products a pixel. Exact but for interpolation."};
+    static const SchemePage page{
+        "peercy1997",
+        "Tangent-space normal map",
+        "M. Peercy, J. Airey, B. Cabral, Efficient Bump Mapping Hardware, SIGGRAPH 1997",
+        "as published (widths, illumination finish: reconstruction)",
+        "The map holds N' in tangent space (or the object's own); L and H are taken there by the matrix of T, B, N, per pixel or at the "
+        "vertices, and interpolated; "
+        "three normalisers and two dot products a pixel. Exact but for interpolation.",
+        {"illumination"}};
     return page;
   }
 
@@ -41,8 +49,9 @@ class Peercy1997 : public Scheme {
     design.illumination = vector_illumination_unit(p.widths, material);
     design.map = vector_map(p);
     using Of = DeliveredDirection::Of;
-    design.directions = {{Of::light, DeliveredDirection::Frame::tangent, {"L_unit.x", "L_unit.y", "L_unit.z"}},
-                         {Of::half, DeliveredDirection::Frame::tangent, {"H_unit.x", "H_unit.y", "H_unit.z"}}};
+    using Frame = DeliveredDirection::Frame;
+    const Frame frame = p.map == MapSpace::object ? Frame::shading : Frame::tangent;
+    design.directions = {{Of::light, frame, {"L_unit.x", "L_unit.y", "L_unit.z"}}, {Of::half, frame, {"H_unit.x", "H_unit.y", "H_unit.z"}}};
     state_direction_bound(design, p.widths, p.texel().step(), material);
     return design;
   }

@@ -26,7 +26,8 @@ class Phong1975 : public Scheme {
                                  "Cabral, Efficient Bump Mapping Hardware, SIGGRAPH 1997, Fig. 1",
                                  "as published (widths, illumination finish: reconstruction)",
                                  "N, L and H are interpolated in object space and normalised per pixel; there is no bump map. The circuit "
-                                 "that bump mapping is added to, and the yardstick for what bumps cost."};
+                                 "that bump mapping is added to, and the yardstick for what bumps cost.",
+                                 {"illumination"}};
     return page;
   }
 

@@ -132,56 +132,107 @@ std::int64_t oracle_root(std::int64_t a, const Format& fa, const Format& to) {
   return static_cast<std::int64_t>(low % power(to.is_signed ? to.width - 1 : to.width));
 }
 
-std::map<std::int64_t, OracleRead> oracle_table(const Table& table) {
-  const std::int64_t size = std::int64_t{1} << table.index.width;
-  const std::int64_t first = table.index.is_signed ? -size / 2 : 0;
-  // Lowest and highest folded code of every address; of the complemented address for a mirrored column.
-  std::map<std::int64_t, std::pair<double, double>> codes;
-  for (std::int64_t i = first; i < first + size; ++i) {
-    const Place p = place_of(table, i);
-    if (p.saturated) continue;
-    const auto place = codes.emplace(p.address, std::make_pair(p.code, p.code)).first;
-    place->second.first = std::min(place->second.first, p.code);
-    place->second.second = std::max(place->second.second, p.code);
+namespace {
+
+/// Lowest and highest code of every address of one index word.
+using Runs = std::map<std::int64_t, std::pair<double, double>>;
+
+void extend(Runs& runs, std::int64_t address, double code) {
+  const auto place = runs.emplace(address, std::make_pair(code, code)).first;
+  place->second.first = std::min(place->second.first, code);
+  place->second.second = std::max(place->second.second, code);
+}
+
+std::vector<std::int64_t> codes_of(const Format& index) {
+  const std::int64_t size = std::int64_t{1} << index.width, first = index.is_signed ? -size / 2 : 0;
+  std::vector<std::int64_t> codes;
+  for (std::int64_t i = first; i < first + size; ++i) codes.push_back(i);
+  return codes;
+}
+
+/// The place of every code by the rule of folding `none`.
+std::int64_t field_address(const MapField& field, std::int64_t code) {
+  const double size = std::ldexp(1.0, field.index.width);
+  return static_cast<std::int64_t>(
+      std::floor((static_cast<double>(code) / size + (field.index.is_signed ? 0.5 : 0)) * std::ldexp(1.0, field.address_bits)));
+}
+
+/// Middle of the codes of an address of the first index word.
+double middle_code(const Table& table, const Runs& runs, std::int64_t address) {
+  if (runs.count(address) != 0) return (runs.at(address).first + runs.at(address).second) / 2;
+  // A floating address that only saturated codes read: the codes that a wide enough index would have there.
+  const double mantissas = std::ldexp(1.0, table.address_bits - table.exponent_bits);
+  const auto place = static_cast<double>(address);
+  const double binade = std::floor(place / mantissas);
+  const int binade_in_codes = static_cast<int>(binade) + table.min_exponent + table.index.fraction;
+  return std::ldexp(1 + place / mantissas - binade, binade_in_codes) + (std::max(1.0, std::ldexp(1 / mantissas, binade_in_codes)) - 1) / 2;
+}
+
+}  // namespace
+
+std::map<std::vector<std::int64_t>, OracleRead> oracle_table(const Table& table) {
+  Runs runs;
+  for (const std::int64_t code : codes_of(table.index)) {
+    const Place p = place_of(table, code);
+    if (!p.saturated) extend(runs, p.address, p.code);
   }
-  const auto word = [&](const Column& column, std::int64_t address) {
-    double code = 0;
-    if (codes.count(address) != 0) {
-      code = (codes.at(address).first + codes.at(address).second) / 2;
-    } else {  // a floating address that only saturated codes read: the codes that a wide enough index would have there
-      const double mantissas = std::ldexp(1.0, table.address_bits - table.exponent_bits);
-      const auto place = static_cast<double>(address);
-      const double binade = std::floor(place / mantissas);
-      const int binade_in_codes = static_cast<int>(binade) + table.min_exponent + table.index.fraction;
-      code = std::ldexp(1 + place / mantissas - binade, binade_in_codes);
-      code += (std::max(1.0, std::ldexp(1 / mantissas, binade_in_codes)) - 1) / 2;
+  std::vector<Runs> field_runs(table.fields.size());
+  std::vector<std::vector<std::int64_t>> combinations;
+  for (const std::int64_t code : codes_of(table.index)) combinations.push_back({code});
+  for (std::size_t i = 0; i < table.fields.size(); ++i) {
+    std::vector<std::vector<std::int64_t>> longer;
+    for (const std::int64_t code : codes_of(table.fields[i].index)) {
+      extend(field_runs[i], field_address(table.fields[i], code), static_cast<double>(code));
+      for (std::vector<std::int64_t> combination : combinations) {
+        combination.push_back(code);
+        longer.push_back(combination);
+      }
     }
-    Format stored = column.format;
-    if (folds_sign(table, column)) {
-      stored.is_signed = false;
-      stored.width -= 1;
-    }
-    return oracle_quantise(column.function(code / std::ldexp(1.0, table.index.fraction)), stored);
-  };
-  std::map<std::int64_t, OracleRead> reads;
-  for (std::int64_t i = first; i < first + size; ++i) {
-    const Place p = place_of(table, i);
+    combinations = longer;
+  }
+  std::map<std::vector<std::int64_t>, OracleRead> reads;
+  for (const std::vector<std::int64_t>& codes : combinations) {
+    const Place p = place_of(table, codes[0]);
     OracleRead read;
     read.address = p.address;
+    std::vector<double> others;
+    for (std::size_t i = 0; i < table.fields.size(); ++i) {
+      const std::int64_t place = field_address(table.fields[i], codes[i + 1]);
+      const std::pair<double, double>& run = field_runs[i].at(place);
+      others.push_back((run.first + run.second) / 2 / std::ldexp(1.0, table.fields[i].index.fraction));
+      read.address = read.address * (std::int64_t{1} << table.fields[i].address_bits) + place;
+    }
     for (const Column& column : table.columns) {
-      const bool mirrored = column.mirrors_first;
-      std::int64_t w =
-          word(mirrored ? table.columns.front() : column, mirrored ? (std::int64_t{1} << table.address_bits) - 1 - p.address : p.address);
+      const Column& held = column.mirrors_first ? table.columns.front() : column;
+      const std::int64_t place = column.mirrors_first ? (std::int64_t{1} << table.address_bits) - 1 - p.address : p.address;
+      std::vector<double> index{middle_code(table, runs, place) / std::ldexp(1.0, table.index.fraction)};
+      index.insert(index.end(), others.begin(), others.end());
+      Format stored = held.format;
+      if (folds_sign(table, held)) {
+        stored.is_signed = false;
+        stored.width -= 1;
+      }
+      std::int64_t w = oracle_quantise(table.is_map() ? held.map_function(index.data()) : held.function(index[0]), stored);
       if (folds_sign(table, column)) {
         if (column.symmetry.odd_about_zero && p.below_zero) w = -w;
         if (table.folding == Folding::quarter && column.symmetry.odd_about_quarter && p.past_quarter) w = -w;
       }
       read.words.push_back(w);
     }
-    reads[i] = read;
+    reads[codes] = read;
   }
   return reads;
 }
+
+namespace {
+
+std::vector<std::int64_t> index_words(const Node& read, const std::vector<std::int64_t>& words) {
+  std::vector<std::int64_t> index;
+  for (const int operand : read.operands) index.push_back(words[static_cast<std::size_t>(operand)]);
+  return index;
+}
+
+}  // namespace
 
 Oracle::Oracle(const Netlist& netlist) : netlist_(netlist) {
   for (const TablePtr& table : netlist.tables()) tables_.push_back(oracle_table(*table));
@@ -209,6 +260,12 @@ std::vector<std::int64_t> Oracle::evaluate(const std::vector<double>& inputs) co
         word = oracle_round(node.op == Op::add ? a + b : a - b, common, to);
         break;
       }
+      case Op::join: {  // bit by bit
+        word = oracle_round(operand(0), format(0).fraction, to);
+        const Wide low = oracle_round(operand(1), format(1).fraction, to);
+        word = modulo(static_cast<Wide>(word) + low, to);
+        break;
+      }
       case Op::mul:
         word = oracle_round(static_cast<Wide>(operand(0)) * operand(1), format(0).fraction + format(1).fraction, to);
         break;
@@ -219,12 +276,11 @@ std::vector<std::int64_t> Oracle::evaluate(const std::vector<double>& inputs) co
         word = oracle_root(operand(0), format(0), to);
         break;
       case Op::table:
-        word = tables_[static_cast<std::size_t>(node.table)].at(operand(0)).address;
+        word = tables_[static_cast<std::size_t>(node.table)].at(index_words(node, words)).address;
         break;
       case Op::column: {
         const Node& read = netlist_.nodes()[static_cast<std::size_t>(node.operands[0])];
-        const std::int64_t index = words[static_cast<std::size_t>(read.operands[0])];
-        word = tables_[static_cast<std::size_t>(read.table)].at(index).words[static_cast<std::size_t>(node.amount)];
+        word = tables_[static_cast<std::size_t>(read.table)].at(index_words(read, words)).words[static_cast<std::size_t>(node.amount)];
         break;
       }
       case Op::shift:

@@ -19,12 +19,12 @@ std::int64_t oracle_quantise(double value, const bump::Format& to);
 std::int64_t oracle_divide(std::int64_t a, const bump::Format& fa, std::int64_t b, const bump::Format& fb, const bump::Format& to);
 std::int64_t oracle_root(std::int64_t a, const bump::Format& fa, const bump::Format& to);
 
-/// Every index code of a table with its address and the words it reads; index words of at most 16 bits.
 struct OracleRead {
   std::int64_t address;
   std::vector<std::int64_t> words;
 };
-std::map<std::int64_t, OracleRead> oracle_table(const bump::Table& table);
+/// Every combination of index codes of a table with its address and the words it reads; index words of at most 16 bits together.
+std::map<std::vector<std::int64_t>, OracleRead> oracle_table(const bump::Table& table);
 
 class Oracle {
  public:
@@ -34,7 +34,7 @@ class Oracle {
 
  private:
   const bump::Netlist& netlist_;
-  std::vector<std::map<std::int64_t, OracleRead>> tables_;
+  std::vector<std::map<std::vector<std::int64_t>, OracleRead>> tables_;
 };
 
 }  // namespace bump_test

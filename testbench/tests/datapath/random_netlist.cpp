@@ -39,8 +39,9 @@ TablePtr random_table(Random& random, const std::string& name) {
   Table table;
   table.name = name;
   table.folding = static_cast<Folding>(random.integer(0, 3));
-  table.address_bits = random.integer(1, 8);
-  const int width = random.integer(2, 10);
+  const int fields = std::max(0, random.integer(-5, 2));
+  table.address_bits = random.integer(1, fields == 0 ? 8 : 5);
+  const int width = random.integer(2, fields == 0 ? 10 : 5);
   Column first;
   first.name = "first";
   if (table.folding == Folding::quarter) {
@@ -67,7 +68,7 @@ TablePtr random_table(Random& random, const std::string& name) {
     mirrored.name = "mirrored";
     mirrored.function = [](double x) { return 0.9 * std::cos(6.283185307179586 * x); };
     mirrored.symmetry = {false, true};
-    mirrored.mirrors_first = table.address_bits <= width - 2;  // an address that no code reaches has no word to compare with
+    mirrored.mirrors_first = fields == 0 && table.address_bits <= width - 2;  // an address that no code reaches has no word to compare with
     table.columns.push_back(mirrored);
   }
   Column even;
@@ -75,6 +76,19 @@ TablePtr random_table(Random& random, const std::string& name) {
   even.function = [](double x) { return std::cos(x) - 0.3; };
   even.format = random.coin() ? sfixed(random.integer(2, 12), 8) : turns(8);
   table.columns.push_back(even);
+  for (int i = 0; i < fields; ++i) {
+    const int bits = random.integer(1, 4);
+    table.fields.push_back({random.coin() ? sfixed(bits, random.integer(0, 4)) : turns(bits + 1), random.integer(1, 4)});
+  }
+  if (fields == 0) return std::make_shared<const Table>(table);
+  for (Column& column : table.columns) {
+    column.map_function = [f = column.function, fields](const double* x) {
+      double weight = 1;
+      for (int i = 1; i <= fields; ++i) weight += i * std::fabs(x[i]);
+      return f(x[0]) / weight;
+    };
+    column.function = nullptr;
+  }
   return std::make_shared<const Table>(table);
 }
 
@@ -88,7 +102,7 @@ Wire pick(Random& random, const std::vector<Wire>& wires) {
 Wire record(Random& random, Netlist& n, const std::vector<Wire>& wires, const std::string& name) {
   const Wire a = pick(random, wires), b = pick(random, wires), c = pick(random, wires);
   const Format to = random_format(random);
-  switch (random.integer(0, 15)) {
+  switch (random.integer(0, 17)) {
     case 0:
       return n.add(name, a, b, to);
     case 1:
@@ -120,10 +134,20 @@ Wire record(Random& random, Netlist& n, const std::vector<Wire>& wires, const st
       return n.is_beyond_quarter(name, a);
     case 14:
       return n.constant(name, random_value(random, to), to);
+    case 15: {
+      const int low_bits = random.integer(1, 12);
+      const Wire low = n.shift(name + "_low", b, random.integer(-4, 4), ufixed(low_bits, low_bits + n.format(a).fraction));
+      return n.join(name, a, low, to);
+    }
+    case 16:
+      return n.join(name, a, b, to);
     default: {
       const TablePtr table = random_table(random, name + "_ROM");
-      const Wire index = n.shift(name + "_index", a, random.integer(-2, 2), table->index);
-      return n.table(name, table, index).back();
+      std::vector<Wire> index{n.shift(name + "_index", a, random.integer(-2, 2), table->index)};
+      for (const MapField& field : table->fields)
+        index.push_back(n.shift(name + "_index" + std::to_string(index.size()), pick(random, wires), random.integer(-2, 2), field.index));
+      const Wire read = n.table(name, table, index).back();
+      return table->is_map() || random.coin() ? read : n.second_port(name + "_again", table, index.front()).back();
     }
   }
 }

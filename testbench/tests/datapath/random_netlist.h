@@ -27,7 +27,7 @@ class Random {
 bump::Format random_format(Random& random);
 /// A double for a port: words of the format (the extreme ones often), values between words and values out of range.
 double random_value(Random& random, const bump::Format& format);
-/// A table of up to 2^8 words with an index of up to 10 bits that obeys its folding.
+/// A table of up to 2^8 words with an index of up to 10 bits that obeys its folding, or a map of two or three short index words.
 bump::TablePtr random_table(Random& random, const std::string& name);
 /// A netlist of about `size` operators over a few ports; every node that nobody reads is an output.
 bump::Netlist random_netlist(Random& random, int size);

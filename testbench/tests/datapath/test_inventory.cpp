@@ -10,19 +10,26 @@ using namespace bump_test;
 
 namespace {
 
-TablePtr rom(const std::string& name, Folding folding, bool is_map = false) {
+TablePtr rom(const std::string& name, Folding folding) {
   Table t;
   t.name = name;
   t.folding = folding;
   t.index = ufixed(8, 8);
   t.address_bits = 5;
   t.exponent_bits = 2;
-  t.is_map = is_map;
   Column c;
   c.name = "y";
   c.function = [](double x) { return x; };
   c.format = sfixed(10, 8);
   t.columns.push_back(c);
+  return std::make_shared<const Table>(t);
+}
+
+TablePtr map_of(const Format& second) {
+  Table t = *rom("M", Folding::none);
+  t.fields = {{second, 3}};
+  t.columns.front().function = nullptr;
+  t.columns.front().map_function = [](const double* x) { return x[0] * x[1]; };
   return std::make_shared<const Table>(t);
 }
 
@@ -34,6 +41,7 @@ TEST_CASE("an inventory counts what was recorded, published design and addition 
   const Format s = sfixed(12, 8);
   const TablePtr shared = rom("T", Folding::none);
   n.constant("c", 0.5, s);
+  const Wire difference_word = n.input("d", ufixed(8, 8));
   const Wire sum = n.add("sum", a, b, s), difference = n.sub("difference", a, b, s);
   n.mul("product", sum, difference, s);
   n.div("ratio", a, b, s);
@@ -41,7 +49,9 @@ TEST_CASE("an inventory counts what was recorded, published design and addition 
   n.table("read", shared, a);
   n.table("read_again", shared, b);
   n.table("floating", rom("F", Folding::floating), b);
-  n.table("map", rom("M", Folding::none, true), b);
+  n.second_port("read_by_second_port", shared, difference_word);
+  n.table("map", map_of(ufixed(8, 8)), {a, b});
+  n.join("both", n.input("high", ufixed(4, 0)), b, ufixed(12, 8));
   n.shift("half", a, -1, s);
   n.negate("minus", sum, s);
   n.absolute("size", sum, s);
@@ -60,12 +70,13 @@ TEST_CASE("an inventory counts what was recorded, published design and addition 
   CHECK(published.tables == 3);
   CHECK(published.maps == 1);
   CHECK(published.index_encoders == 1);
-  CHECK(published.shifts == 1);
+  CHECK(published.second_ports == 1);
+  CHECK(published.shifts == 2);
   CHECK(published.sign_logic == 5);
   CHECK(published.selects == 1);
   CHECK(published.clamps == 0);
-  CHECK(published.table_bits == 4 * 32 * 10);
-  CHECK(published.distinct_table_bits == 3 * 32 * 10);
+  CHECK(published.table_bits == (3 * 32 + 256) * 10);
+  CHECK(published.distinct_table_bits == (2 * 32 + 256) * 10);
   CHECK(addition.adders == 1);
   CHECK(addition.clamps == 1);
   CHECK(addition.tables == 0);
@@ -86,8 +97,8 @@ TEST_CASE("published design and addition add up to the whole for random netlists
     int operators = 0;
     for (const Node& node : n.nodes())
       if (node.op != Op::input && node.op != Op::constant && node.op != Op::column) ++operators;
-    CHECK(operators == all.multipliers + all.adders + all.dividers + all.square_roots + all.tables + all.maps + all.shifts +
-                           all.sign_logic + all.clamps + all.selects);
+    CHECK(operators == all.multipliers + all.adders + all.dividers + all.square_roots + all.tables + all.maps + all.second_ports +
+                           all.shifts + all.sign_logic + all.clamps + all.selects);
   }
 }
 
@@ -142,5 +153,9 @@ TEST_CASE("reads of one table by one index are duplicates, reads of different ta
   n.table("two", shared, a);
   n.table("three", shared, b);
   n.table("four", rom("U", Folding::none), a);
-  CHECK(equal_nodes(n) == std::vector<std::pair<int, int>>{{n.find("one"), n.find("two")}});
+  n.second_port("five", shared, b);
+  const TablePtr map = map_of(ufixed(8, 8));
+  n.table("six", map, {a, b});
+  n.table("seven", map, {b, a});
+  CHECK(equal_nodes(n) == std::vector<std::pair<int, int>>{{n.find("one"), n.find("two")}, {n.find("three"), n.find("five")}});
 }

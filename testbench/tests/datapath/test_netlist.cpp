@@ -142,3 +142,44 @@ TEST_CASE("every operator has a name of its own") {
   for (int i = 0; i < 17; ++i)
     for (int j = 0; j < i; ++j) CHECK(std::string(name_of(static_cast<Op>(i))) != name_of(static_cast<Op>(j)));
 }
+
+TEST_CASE("a second port reads a ROM that has a first port to itself, and nothing else") {
+  Netlist n("unit");
+  const TablePtr table = small_table("T", ufixed(8, 8));
+  const Wire a = n.input("a", ufixed(8, 8)), b = n.input("b", ufixed(8, 8));
+  CHECK_THROWS_WITH(n.second_port("early", table, a), Contains("T") && Contains("first port"));
+  n.table("first", table, a);
+  CHECK(n.second_port("second", table, b).size() == 2);
+  CHECK_THROWS_WITH(n.second_port("third", table, b), Contains("first port"));
+  CHECK(n.nodes()[static_cast<std::size_t>(n.find("second"))].second_port);
+  CHECK_FALSE(n.nodes()[static_cast<std::size_t>(n.find("first"))].second_port);
+}
+
+TEST_CASE("a map is read by all its index words in their formats") {
+  Netlist n("unit");
+  Table map;
+  map.name = "MAP";
+  map.index = ufixed(8, 8);
+  map.address_bits = 4;
+  map.fields = {{ufixed(4, 4), 4}};
+  Column column;
+  column.name = "value";
+  column.map_function = [](const double* x) { return x[0] - x[1]; };
+  column.format = sfixed(8, 7);
+  map.columns = {column};
+  const auto shared = std::make_shared<const Table>(map);
+  const Wire a = n.input("a", ufixed(8, 8)), b = n.input("b", ufixed(4, 4));
+  CHECK_THROWS_WITH(n.table("one", shared, a), Contains("2 index words"));
+  CHECK_THROWS_WITH(n.table("swapped", shared, {b, a}), Contains("indexed by u8.8"));
+  CHECK(n.table("read", shared, {a, b}).size() == 1);
+  CHECK(n.nodes()[static_cast<std::size_t>(n.find("read"))].operands == std::vector<int>{a.node, b.node});
+}
+
+TEST_CASE("words are joined only where their bits do not overlap") {
+  Netlist n("unit");
+  const Wire high = n.input("high", sfixed(4, -3)), low = n.input("low", ufixed(3, 0)), wide = n.input("wide", ufixed(4, 0)),
+             negative = n.input("negative", sfixed(3, 0));
+  CHECK_NOTHROW(n.join("address", high, low, sfixed(7, 0)));
+  CHECK_THROWS_WITH(n.join("overlapping", high, wide, sfixed(7, 0)), Contains("overlap"));
+  CHECK_THROWS_WITH(n.join("signed", high, negative, sfixed(7, 0)), Contains("overlap"));
+}

@@ -29,6 +29,7 @@ std::vector<double> directly(const Netlist& netlist, const std::vector<double>& 
       case Op::constant:
         value = node.value;
         break;
+      case Op::join:
       case Op::add:
         value = x(0) + x(1);
         break;
@@ -49,7 +50,11 @@ std::vector<double> directly(const Netlist& netlist, const std::vector<double>& 
         break;
       case Op::column: {
         const Node& read = netlist.nodes()[static_cast<std::size_t>(node.operands[0])];
-        value = netlist.tables()[static_cast<std::size_t>(read.table)]->columns[static_cast<std::size_t>(node.amount)].function(x(0));
+        const Table& table = *netlist.tables()[static_cast<std::size_t>(read.table)];
+        std::vector<double> index{x(0)};
+        for (std::size_t i = 1; i < read.operands.size(); ++i)
+          index.push_back(short_way(values[static_cast<std::size_t>(read.operands[i])], table.fields[i - 1].index));
+        value = table.value(table.columns[static_cast<std::size_t>(node.amount)], index.data());
         break;
       }
       case Op::shift:

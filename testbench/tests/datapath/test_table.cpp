@@ -10,6 +10,7 @@
 
 using namespace bump;
 using namespace bump_test;
+using Catch::Contains;
 
 namespace {
 
@@ -43,9 +44,12 @@ TEST_CASE("addresses and words equal an independent definition for random tables
     const TablePtr table = random_table(random, "T");
     const TableContents contents = tabulate(*table);
     for (const auto& [index, read] : oracle_table(*table)) {
-      INFO("table " << i << ", index " << index << " of " << to_string(table->index));
-      REQUIRE(address_of(*table, index).address == read.address);
-      for (std::size_t j = 0; j < table->columns.size(); ++j) REQUIRE(look_up(*table, contents, j, index) == read.words[j]);
+      IndexWords words{};
+      std::copy(index.begin(), index.end(), words.begin());
+      INFO("table " << i << ", index " << index.front() << " of " << to_string(table->index));
+      REQUIRE(address_of(*table, words).address == read.address);
+      REQUIRE(read.address < table->entries());
+      for (std::size_t j = 0; j < table->columns.size(); ++j) REQUIRE(look_up(*table, contents, j, words) == read.words[j]);
     }
   }
 }
@@ -64,7 +68,7 @@ TEST_CASE("addresses of many lanes equal those of one index, for indices of any 
                                                         : ufixed(width, random.integer(-5, 60));
     std::array<std::int64_t, 16> index{}, address{}, negative{}, beyond{};
     for (std::int64_t& word : index) word = quantise(random_value(random, table.index), table.index);
-    lanes::addresses(table, index.data(), address.data(), negative.data(), beyond.data(), 16);
+    lanes::addresses(table, {index.data()}, address.data(), negative.data(), beyond.data(), 16);
     for (std::size_t j = 0; j < index.size(); ++j) {
       const TableAddress place = address_of(table, index[j]);
       INFO(to_string(table.index) << " " << index[j]);
@@ -206,7 +210,7 @@ TEST_CASE("tables that contradict themselves are refused with their name") {
     damage(t);
     return t;
   };
-  using Catch::Contains;
+
   CHECK_THROWS_WITH(tabulate(broken([](Table& t) { t.index = sfixed(10, 9); })), Contains("SC") && Contains("full-turn"));
   CHECK_THROWS_WITH(tabulate(broken([](Table& t) { t.columns.clear(); })), Contains("no columns"));
   CHECK_THROWS_WITH(tabulate(broken([](Table& t) { t.columns[1].name = "sin"; })), Contains("distinct"));
@@ -227,4 +231,59 @@ TEST_CASE("tables that contradict themselves are refused with their name") {
                       t.index = sfixed(9, 8);
                     })),
                     Contains("unsigned"));
+}
+
+TEST_CASE("a map of three angles holds its function at the centre of the codes that share a word") {
+  Table map;
+  map.name = "MAP";
+  map.index = turns(12);
+  map.folding = Folding::magnitude;
+  map.address_bits = 5;
+  map.fields = {{ufixed(9, 9), 5}, {ufixed(4, 4), 4}};
+  Column column;
+  column.name = "value";
+  column.map_function = [](const double* x) { return std::sin(two_pi * x[0]) * x[1] * (1 - x[2]); };
+  column.format = sfixed(9, 8);
+  column.symmetry.odd_about_zero = true;
+  map.columns = {column};
+  CHECK(map.is_map());
+  CHECK(map.entries() == 1 << 14);
+  CHECK(map.bits() == 8 << 14);  // the sign is folded
+  const TableContents contents = tabulate(map);
+  Random random(14);
+  for (int i = 0; i < 2000; ++i) {
+    const std::int64_t phi = random.integer(1, 2047), theta = random.integer(0, 511), tilt = random.integer(0, 15);
+    const IndexWords codes{phi, theta, tilt}, reflected{-phi, theta, tilt};
+    REQUIRE(address_of(map, codes).address == ((phi / 64 * 32 + theta / 16) * 16 + tilt));
+    const double centre[] = {(std::floor(static_cast<double>(phi) / 64) * 64 + 31.5) / 4096,
+                             (std::floor(static_cast<double>(theta) / 16) * 16 + 7.5) / 512, static_cast<double>(tilt) / 16};
+    const double held = to_double(look_up(map, contents, 0, codes), column.format);
+    REQUIRE(std::fabs(held - column.map_function(centre)) <= column.format.step() / 2);
+    REQUIRE(look_up(map, contents, 0, reflected) == -look_up(map, contents, 0, codes));
+  }
+  // Slopes times half a cell, and half a step.
+  const RomError error = rom_error(map, contents);
+  CHECK_FALSE(error.all_codes);
+  CHECK(error.columns[0].largest <= two_pi / 128 + 1.0 / 64 + column.format.step());
+  CHECK(error.columns[0].largest > 1.0 / 64);
+}
+
+TEST_CASE("a map must have a function of all its index words and at most three of them") {
+  Table map;
+  map.name = "MAP";
+  map.index = ufixed(4, 4);
+  map.address_bits = 4;
+  map.fields = {{ufixed(4, 4), 4}};
+  Column column;
+  column.name = "value";
+  column.function = [](double x) { return x; };
+  column.format = ufixed(8, 8);
+  map.columns = {column};
+  CHECK_THROWS_WITH(tabulate(map), Contains("all its index words"));
+  map.columns.front().map_function = [](const double* x) { return x[0] * x[1]; };
+  CHECK_THROWS_WITH(tabulate(map), Contains("all its index words"));
+  map.columns.front().function = nullptr;
+  CHECK_NOTHROW(tabulate(map));
+  map.fields.resize(3, {ufixed(4, 4), 4});
+  CHECK_THROWS_WITH(tabulate(map), Contains("two or three index words"));
 }

@@ -142,3 +142,23 @@ TEST_CASE("a path that is not UTF-8 does not keep the result from being written"
   const Json json = Json::parse(json_text(sample.report));
   CHECK(json["inputs"][0]["path"] == "wo\xEF\xBF\xBD\xEF\xBF\xBDod.png");
 }
+
+TEST_CASE("light maps are listed where there are any, and not mentioned otherwise") {
+  Sample sample;
+  CHECK_FALSE(to_json(sample.report).contains("light_maps"));
+  sample.result.light_maps = {{"diffuse", 1024, 16384, 2048, 2048, {250, 200, 50, 3200, 3}}, {"specular", 1024, 16384, 2048, 2048, {}}};
+  const Json maps = to_json(sample.report)["light_maps"];
+  REQUIRE(maps.size() == 2);
+  CHECK(maps[0] == Json({{"name", "diffuse"},
+                         {"entries", 1024},
+                         {"bits", 16384},
+                         {"words_written", 2048},
+                         {"bytes_written", 2048},
+                         {"reads", 250},
+                         {"hits", 200},
+                         {"misses", 50},
+                         {"hit_rate", 0.8},
+                         {"bytes", 3200},
+                         {"clipped", 3}}));
+  CHECK(maps[1]["hit_rate"].is_null());
+}

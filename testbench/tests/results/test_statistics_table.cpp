@@ -25,7 +25,8 @@ std::string kind_of(const SimulationResult& result, const std::string& module) {
 }  // namespace
 
 TEST_CASE("every statistic has a unit and a meaning") {
-  const Sample sample;
+  Sample sample;
+  sample.result.light_maps = {{"diffuse", 1024, 16384, 2048, 2048, {250, 200, 50, 3200, 3}}};
   std::vector<StatisticMeaning> meanings = statistic_meanings();
   for (const StatisticMeaning& meaning : result_statistic_meanings()) meanings.push_back(meaning);
   const auto rows = statistic_rows(sample.report);
@@ -42,6 +43,24 @@ TEST_CASE("every statistic has a unit and a meaning") {
     REQUIRE(meaning != meanings.end());
     CHECK(meaning->unit == row.unit);
     CHECK_FALSE(meaning->meaning.empty());
+  }
+}
+
+TEST_CASE("light maps have rows of their own, and a run without them none") {
+  Sample sample;
+  const auto rows_of_maps = [&] {
+    std::vector<StatisticRow> found;
+    for (const StatisticRow& row : statistic_rows(sample.report))
+      if (row.module.rfind("light_map.", 0) == 0) found.push_back(row);
+    return found;
+  };
+  CHECK(rows_of_maps().empty());
+  sample.result.light_maps = {{"diffuse", 1024, 16384, 2048, 2048, {250, 200, 50, 3200, 3}}, {"specular", 1024, 16384, 2048, 2048, {}}};
+  const auto rows = rows_of_maps();
+  REQUIRE(rows.size() == 20);
+  for (const StatisticRow& row : rows) {
+    if (row.statistic == "hit_rate") CHECK(row.value == (row.module == "light_map.diffuse" ? "0.8" : ""));
+    if (row.statistic == "clipped") CHECK(row.value == (row.module == "light_map.diffuse" ? "3" : "0"));
   }
 }
 

@@ -66,3 +66,14 @@ TEST_CASE("identical images are called identical") {
   measure_quality(sample.report, nullptr, nullptr);
   CHECK_THAT(summary(sample.report), Contains("identical"));
 }
+
+TEST_CASE("the summary tells of light maps only where there are any") {
+  Sample sample;
+  CHECK_THAT(summary(sample.report), !Contains("light map"));
+  sample.result.light_maps = {{"diffuse", 1 << 20, 1 << 23, 1 << 20, 1 << 20, {250, 200, 50, 3200, 0}}};
+  const std::string text = summary(sample.report);
+  CHECK_THAT(text, Contains("light maps, filled once a frame") && Contains("80.00 % hits of 250 reads, 3.1 KB from memory"));
+  CHECK_THAT(text, Contains("1,048,576 words, 1024.00 KB written each frame") && !Contains("cut off"));
+  sample.result.light_maps[0].counters.clipped = 7;
+  CHECK_THAT(summary(sample.report), Contains("7 reads of words that were cut off"));
+}

@@ -19,6 +19,34 @@ double decibels(double squared_error, double count) {
   return -10 * std::log10(std::max(squared_error / count, 1e-30));
 }
 
+/// Zero where there is no direction.
+glm::dvec3 unit_or_zero(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : glm::dvec3(0);
+}
+
+/// Address, look-up of the nearest entry (or the continuous function) and the planes "light.<name>", every point with a light of its own.
+void read_light_maps(const LightMaps& maps, Arithmetic arithmetic, const std::vector<Point>& points, Planes& planes, int lanes) {
+  planes["light_map.base"].fill(0);
+  run(maps.address, arithmetic, planes, lanes);
+  Planes frame;
+  std::vector<double> coordinates(maps.coordinates.size());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lanes); ++i) {
+    for (std::size_t c = 0; c < coordinates.size(); ++c) coordinates[c] = planes.at(maps.coordinates[c])[i];
+    if (arithmetic == Arithmetic::fixed) maps.centre(static_cast<std::int64_t>(planes.at("light_map.entry")[i]), coordinates.data());
+    const glm::dvec3 light = unit_or_zero(points[i].light);
+    set_vector(frame, "N", i, maps.direction(coordinates.data()));
+    set_vector(frame, "L", i, light);
+    set_vector(frame, "H", i, unit_or_zero(light + unit_or_zero(points[i].view)));
+  }
+  run(maps.fill, Arithmetic::real, frame, lanes);
+  for (const LightMaps::Map& map : maps.maps)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lanes); ++i) {
+      const double sum = frame.at(map.name)[i];
+      planes["light." + map.name][i] = arithmetic == Arithmetic::fixed ? to_double(quantise(sum, map.word), map.word) : sum;
+    }
+}
+
 }  // namespace
 
 Configuration configured(const Scheme& scheme, Settings settings) {
@@ -107,12 +135,14 @@ Planes shade(const Design& design, Arithmetic arithmetic, const std::vector<Poin
   }
   if (design.conversion) run(*design.conversion, arithmetic, planes, static_cast<int>(lanes));
   run(design.environment, arithmetic, planes, static_cast<int>(lanes));
+  if (design.light_maps) read_light_maps(*design.light_maps, arithmetic, points, planes, static_cast<int>(lanes));
   run(design.illumination, arithmetic, planes, static_cast<int>(lanes));
   return planes;
 }
 
 Accuracy accuracy(const Design& design, const Material& material, int blocks, const std::function<Point(Random&)>& draw) {
   Random random(20070323);
+  const auto reader = make_evaluator(design.environment, Arithmetic::fixed);  // ROM contents live as long as one
   double fixed_real = 0, real_exact = 0, fixed_exact = 0;
   for (int block = 0; block < blocks; ++block) {
     std::vector<Point> points;

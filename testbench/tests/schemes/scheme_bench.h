@@ -53,7 +53,8 @@ class Random {
 /// N', L, H shaded by Eq 2 of Lee 2007 in tangent space, without ambient.
 double exact_intensity(const Point& point, const Material& material);
 
-/// Shades 256 points: the vertex program always in double precision, texels quantised in fixed point. Returns every plane on the way.
+/// Shades 256 points: the vertex program always in double precision, texels quantised in fixed point. Returns every plane on the way. Light
+/// maps are worked out entry by entry, each point with its own light and eye, infinitely far.
 Planes shade(const Design& design, Arithmetic arithmetic, const std::vector<Point>& points);
 
 struct Accuracy {

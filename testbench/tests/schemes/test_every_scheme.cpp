@@ -72,6 +72,7 @@ std::vector<const Netlist*> pixel_units(const Design& design) {
   std::vector<const Netlist*> units;
   if (design.conversion) units.push_back(&*design.conversion);
   units.push_back(&design.environment);
+  if (design.light_maps) units.push_back(&design.light_maps->address);
   units.push_back(&design.illumination);
   return units;
 }
@@ -160,6 +161,13 @@ TEST_CASE("every input of a unit is an interpolant, a map channel or the output 
     for (const Interpolant& interpolant : design.interpolants) known.insert(interpolant.name);
     for (const BumpEncoding::Channel& channel : design.map.channels) CHECK(known.insert("map." + channel.name).second);
     std::map<std::string, Format> delivered;
+    if (design.light_maps) {
+      known.insert("light_map.base");
+      for (const LightMaps::Map& map : design.light_maps->maps) {
+        CHECK(known.insert("light." + map.name).second);
+        delivered["light." + map.name] = map.word;
+      }
+    }
     for (const Netlist* unit : pixel_units(design)) {
       for (const Netlist::Port& port : unit->inputs()) {
         CAPTURE(unit->name(), port.name);
@@ -178,6 +186,30 @@ TEST_CASE("every input of a unit is an interpolant, a map channel or the output 
     for (const DeliveredDirection& direction : design.directions) {
       CHECK((direction.planes.size() == 2 || direction.planes.size() == 3));
       for (const std::string& plane : direction.planes) CHECK(known.count(plane) == 1);
+    }
+  });
+}
+
+TEST_CASE("light maps have a direction for every entry, an address for every object, and words for what fills them") {
+  std::set<std::string> frame;
+  for (const char* name : {"N", "L", "H"})
+    for (const char* component : {".x", ".y", ".z"}) frame.insert(std::string(name) + component);
+  for_designs([&](const Scheme&, const Configuration&, const Design& design) {
+    if (!design.light_maps) return;
+    const LightMaps& maps = *design.light_maps;
+    std::set<std::string> names;
+    for (const LightMaps::Map& map : maps.maps) CHECK(names.insert(map.name).second);
+    CHECK(names_of(maps.fill.outputs()) == names);
+    for (const Netlist::Port& port : maps.fill.inputs()) CHECK(frame.count(port.name) == 1);
+    const std::set<std::string> outputs = names_of(maps.address.outputs());
+    CHECK(outputs.count("light_map.entry") == 1);
+    for (const std::string& coordinate : maps.coordinates) CHECK(outputs.count(coordinate) == 1);
+    std::vector<double> coordinates(maps.coordinates.size());
+    Random random(37);
+    for (int i = 0; i < 500; ++i) {
+      const auto entry = static_cast<std::int64_t>(random.word() % (std::uint64_t{1} << maps.address_bits));
+      maps.centre(entry, coordinates.data());
+      CHECK(glm::length(maps.direction(coordinates.data())) == Approx(1));
     }
   });
 }
@@ -229,6 +261,7 @@ TEST_CASE("the structure of a scheme does not follow the material") {
     for (std::size_t i = 0; i < pixel_units(design).size(); ++i)
       CHECK(structure_of(*pixel_units(design)[i]) == structure_of(*pixel_units(changed)[i]));
     CHECK(structure_of(design.vertex) == structure_of(changed.vertex));
+    if (design.light_maps) CHECK(structure_of(design.light_maps->fill) == structure_of(changed.light_maps->fill));
     CHECK(design.map.channels.size() == changed.map.channels.size());
   });
 }
@@ -250,6 +283,7 @@ TEST_CASE("no input gives a result that is not a number") {
   for_designs(
       [](const Scheme&, const Configuration&, const Design& design) {
         const std::vector<glm::dvec3> axes{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 0}};
+        const auto reader = make_evaluator(design.environment, Arithmetic::fixed);  // ROM contents live as long as one
         std::vector<Point> points;
         for (const glm::dvec3& normal : axes)
           for (const glm::dvec3& light : axes)

@@ -106,6 +106,17 @@ TEST_CASE("a run whose numbers contradict one another fails its self-check") {
   SimulationResult busy = result;
   busy.timing.stages[0].busy = 3;
   CHECK(fails(busy));
+  SimulationResult light_maps = result;
+  light_maps.light_maps.resize(1);
+  CHECK(fails(light_maps));  // without a port
+  light_maps.timing.memories.resize(2);
+  CHECK_FALSE(fails(light_maps));
+  SimulationResult missed = light_maps;
+  missed.light_maps[0].counters.misses = 1;
+  CHECK(fails(missed));
+  SimulationResult unread = light_maps;
+  unread.timing.memories[1].requests = 1;
+  CHECK(fails(unread));
   SimulationResult fast = result;
   fast.bound.cycles = 1;
   CHECK(fails(fast));

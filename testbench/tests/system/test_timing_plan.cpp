@@ -39,10 +39,10 @@ TEST_CASE("datapath stages take their latency and interval from the schedule of 
   for (const Scheme* scheme : all_schemes()) {
     const Plan p = plan(configuration, scheme->page().id, 1);
     INFO(scheme->page().id);
-    CHECK(p.timing.graph.stages[stage::environment].latency == std::max(1, p.schedules.environment.latency));
-    CHECK(p.timing.graph.stages[stage::illumination].latency == p.schedules.illumination.latency + p.schedules.colour.latency);
+    CHECK(p.timing.at(stage::environment).latency == std::max(1, p.schedules.environment.latency));
+    CHECK(p.timing.at(stage::illumination).latency == p.schedules.illumination.latency + p.schedules.colour.latency);
     CHECK(p.timing.interval[stage::environment] == 1);
-    CHECK(p.timing.graph.stages[stage::environment].capacity == p.timing.graph.stages[stage::environment].latency + 1);
+    CHECK(p.timing.at(stage::environment).capacity == p.timing.at(stage::environment).latency + 1);
   }
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("every further light adds one initiation interval to latency and inter
   const Configuration configuration(all_parameters());
   const Plan one = plan(configuration, "peercy1997", 1), three = plan(configuration, "peercy1997", 3);
   CHECK(three.timing.interval[stage::environment] == 3 * one.timing.interval[stage::environment]);
-  CHECK(three.timing.graph.stages[stage::environment].latency == one.timing.graph.stages[stage::environment].latency + 2);
+  CHECK(three.timing.at(stage::environment).latency == one.timing.at(stage::environment).latency + 2);
   CHECK(three.timing.interval[stage::frame_sink] == 1);
 }
 

@@ -250,6 +250,80 @@ TEST_CASE("a bump map that must not be filtered is read one texel at a time") {
   CHECK(unit.counters().reads == 5 * geometry.raster.fragments);
 }
 
+/// A map whose slopes are its texture coordinates, over all repeats; counts the maps made.
+Design baked_design(int& maps) {
+  Design design = samples::design();
+  design.map.bake = [&maps](const SceneObject& object) {
+    ++maps;
+    const auto slopes = [](const SurfaceTexel& at) { return glm::normalize(glm::dvec3(at.uv, 1)); };
+    return bake_surface_map(object, *object.normals, slopes, "another map");
+  };
+  return design;
+}
+
+TEST_CASE("a map of one surface is read where it was made for, over all repeats of the texture") {
+  for (const Filter filter : {Filter::bilinear, Filter::trilinear}) {
+    int maps = 0;
+    auto mesh = samples::plane(3);
+    for (Vertex& vertex : mesh->vertices) vertex.uv = vertex.uv * glm::dvec2(3, -1) + glm::dvec2(2, 0);
+    const Scene scene = samples::scene({samples::object(mesh)});
+    std::vector<Design> designs;
+    designs.push_back(baked_design(maps));
+    const auto context = make_context(scene, std::move(designs), {0}, {});
+    const samples::Geometry geometry = samples::rasterize(context);
+    TextureFetchConfig config;
+    config.filter = filter;
+    TextureFetch unit(context, config);
+    const auto map = static_cast<std::size_t>(context->planes.index("map.x"));
+    int fragments = 0;
+    for (const auto& block : geometry.blocks) {
+      unit.process(*block);
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(block->lanes); ++lane) {
+        const double u = block->u[lane], v = block->v[lane];
+        if (u < 2.1 || u > 4.9 || v > -0.1 || v < -0.9) continue;  // at the border the filter reads the other side
+        ++fragments;
+        REQUIRE(block->exact[map][lane] / block->exact[map + 2][lane] == Approx(u).epsilon(2e-3));
+        REQUIRE(block->exact[map + 1][lane] / block->exact[map + 2][lane] == Approx(v).epsilon(2e-2));
+      }
+    }
+    CHECK(fragments > 500);
+    CHECK(maps == 1);
+  }
+}
+
+TEST_CASE("objects share a map of their surface only if surface and textures are the same") {
+  const SceneObject one = samples::object(samples::plane(2));
+  SceneObject two = one, three = one, four = one;
+  two.to_world = glm::translate(glm::dmat4(1), {0.1, 0.0, 0.5});
+  three.mesh = samples::plane(2);
+  four.heights = samples::texture(32, 32, 1, 4);
+  const Scene scene = samples::scene({one, two, three, four});
+  int maps = 0;
+  std::vector<Design> designs;
+  designs.push_back(baked_design(maps));
+  TextureFetch unit(make_context(scene, std::move(designs), {0, 0, 0, 0}, {}), {});
+  CHECK(maps == 3);
+}
+
+TEST_CASE("a map in object space is refused where vectors are shaded in another") {
+  const Scene scene = samples::scene({samples::object(samples::plane(1))});
+  for (const ShadingSpace space : {ShadingSpace::object, ShadingSpace::eye}) {
+    int maps = 0;
+    std::vector<Design> designs;
+    designs.push_back(baked_design(maps));
+    designs[0].map.in_object_space = true;
+    ContextOptions options;
+    options.shading = space;
+    const auto context = make_context(scene, std::move(designs), {0}, options);
+    if (space == ShadingSpace::object) {
+      TextureFetch unit(context, {});
+      CHECK(maps == 1);
+    } else {
+      CHECK_THROWS_WITH(TextureFetch(context, {}), Catch::Contains("object space") && Catch::Contains("vertex_processor.space=object"));
+    }
+  }
+}
+
 TEST_CASE("objects that share a texture share it in memory") {
   SceneObject one = samples::object(samples::plane(1)), two = one;
   two.to_world = glm::translate(glm::dmat4(1), {0.1, 0.0, 0.5});

@@ -1,0 +1,118 @@
+#include "testbench/experiments/measured_run.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "memory/texture.h"
+#include "testbench/reference/reference_renderer.h"
+#include "testbench/scene/config_file.h"
+
+namespace bump {
+
+namespace {
+
+Filter filter_of(const Configuration& configuration) {
+  const std::string& name = configuration.choice("texture_fetch.filter");
+  return name == "nearest" ? Filter::nearest : name == "bilinear" ? Filter::bilinear : Filter::trilinear;
+}
+
+void stop_if_set(const std::atomic<bool>* cancelled) {
+  if (cancelled != nullptr && *cancelled) throw Error(ErrorKind::cancelled, {"interrupted", {}, "", "nothing was written"});
+}
+
+/// The image must be within the bound that the scheme states for its own quantisation. That bound takes every pixel at its worst; so a
+/// picture that is off by a third of it must at least resemble the double evaluation: an error below a tenth of the picture's own energy.
+void check_stated_bound(const RunReport& report) {
+  const SimulationResult& result = *report.result;
+  FrameBuffer continuous = result.hardware;
+  for (std::size_t pixel = 0; pixel < continuous.object.size(); ++pixel)
+    if (result.diverged[pixel] != 0) continuous.object[pixel] = -1;  // and so left out of the comparison
+  const Quality quality = compare_frames(continuous, result.exact);
+  const double floor = result.quantisation_floor_db;
+  if (quality.pixels == 0 || floor <= 0) return;  // with bright lights the bound excludes nothing
+  const double error = std::pow(10, -quality.psnr_db / 20), stated = std::min(1.0, std::pow(10, -floor / 20));
+  const bool resembles = *std::max_element(quality.nmse.begin(), quality.nmse.end()) <= 0.1;
+  if (error <= stated && (resembles || error <= std::clamp(stated / 3, 0.02, 0.1))) return;
+  throw Error(
+      ErrorKind::self_check,
+      {fmt::format("self-check failed: the fixed-point picture is {:.1f} dB from the scheme's own double evaluation", quality.psnr_db),
+       {},
+       fmt::format("{} states at least {:.1f} dB for these widths", report.scheme->page().id, floor),
+       "wider words, or report this as a fault of the scheme"});
+}
+
+}  // namespace
+
+Engine engine_of(const std::string& name) {
+  if (name != "dated" && name != "stepped")
+    throw Error({"unknown engine '" + name + "'", {}, "the engines are: dated, stepped", "--engine dated"});
+  return name == "dated" ? Engine::dated : Engine::stepped;
+}
+
+References draw_references(const Scene& scene, const Configuration& configuration, const std::atomic<bool>* cancelled) {
+  const Filter filter = filter_of(configuration);
+  const bool cull = configuration.choice("triangle_setup.cull") == "back";
+  References references;
+  stop_if_set(cancelled);
+  references.normal_map = render_reference(scene, filter, ReferenceNormals::normal_map, cull);
+  stop_if_set(cancelled);
+  if (has_blinn_reference(scene)) references.blinn = render_reference(scene, filter, ReferenceNormals::blinn, cull);
+  stop_if_set(cancelled);
+  return references;
+}
+
+/// Schemes whose frame is Lee's need a flag for texture charts that run the wrong way round, and have a parameter for it.
+std::vector<std::string> warnings_of(const Scene& scene, const SchemePage& page, const Configuration& configuration) {
+  const std::string key = page.id + ".mirror";
+  if (configuration.parameters().find(key) == nullptr || configuration.boolean(key)) return {};
+  std::vector<std::string> warnings;
+  for (const SceneObject& object : scene.objects) {
+    const auto& vertices = object.mesh->vertices;
+    if (std::none_of(vertices.begin(), vertices.end(), [](const Vertex& vertex) { return vertex.handedness <= 0; })) continue;
+    warnings.push_back(fmt::format("object '{}' has mirrored texture coordinates, which {} shades wrongly without --set {}=true",
+                                   object.name, page.id, key));
+  }
+  return warnings;
+}
+
+MeasuredRun::MeasuredRun(const Scene& scene, const Scheme& scheme, const Configuration& configuration, const std::string& engine) {
+  report_.scene = &scene;
+  report_.scheme = &scheme;
+  report_.configuration = &configuration;
+  report_.result = &result_;
+  report_.engine = engine;
+  report_.resolved_toml = to_toml(configuration);
+}
+
+void MeasuredRun::simulate(SimulationOptions options) {
+  options.engine = engine_of(report_.engine);
+  const auto begin = std::chrono::steady_clock::now();
+  result_ = bump::simulate(*report_.scene, *report_.scheme, *report_.configuration, options);
+  wall_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void MeasuredRun::measure(const References& references) {
+  measure_quality(report_, &references.normal_map, references.blinn ? &*references.blinn : nullptr);
+  check_stated_bound(report_);
+}
+
+std::vector<std::string> MeasuredRun::warnings() const {
+  std::vector<std::string> warnings;
+  for (const LightMapUse& map : result_.light_maps) {
+    if (map.counters.clipped == 0) continue;
+    warnings.push_back(fmt::format("light map '{}' is too narrow for these lights: {} of {} reads are of words that were cut off", map.name,
+                                   map.counters.clipped, map.counters.reads));
+  }
+  if (result_.fragments > 0) return warnings;
+  const GeometryCounters& g = result_.geometry;
+  warnings.push_back(
+      fmt::format("nothing is seen: of {} triangles {} face away and {} are outside or cover no pixel; try --set triangle_setup.cull=none "
+                  "or another camera",
+                  g.triangles, g.triangles_culled, g.triangles_empty));
+  return warnings;
+}
+
+}  // namespace bump

@@ -1,0 +1,58 @@
+#pragma once
+// One simulation with its picture measured: what a single run and every row of a comparison are made of, so that the two say the same. The
+// references are drawn apart: they depend on the scene, on the filter and on culling, not on the scheme. No model of hardware.
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "channels/parameters.h"
+#include "schemes/scheme.h"
+#include "system/simulation.h"
+#include "testbench/results/run_report.h"
+#include "units/frame_buffer.h"
+#include "units/scene.h"
+
+namespace bump {
+
+/// "dated" or "stepped"; throws Error(input) for anything else.
+Engine engine_of(const std::string& name);
+
+/// What the picture of any scheme is compared with.
+struct References {
+  FrameBuffer normal_map;            ///< the scene's own bump map in exact frames
+  std::optional<FrameBuffer> blinn;  ///< Blinn's perturbation, where the scene has heights
+};
+
+/// With the filter and the culling of the configuration. Throws Error(cancelled) between the two when `cancelled` (may be null) is set.
+References draw_references(const Scene& scene, const Configuration& configuration, const std::atomic<bool>* cancelled);
+
+/// What can be said of a scheme on a scene before it is simulated: mirrored charts that it shades wrongly. One sentence each.
+std::vector<std::string> warnings_of(const Scene& scene, const SchemePage& page, const Configuration& configuration);
+
+/// Keeps the result beside the report that refers to it; scene, scheme and configuration must outlive it.
+class MeasuredRun {
+ public:
+  MeasuredRun(const Scene& scene, const Scheme& scheme, const Configuration& configuration, const std::string& engine);
+  MeasuredRun(const MeasuredRun&) = delete;
+  MeasuredRun& operator=(const MeasuredRun&) = delete;
+
+  /// `options.engine` is overruled. Throws what simulate() throws.
+  void simulate(SimulationOptions options);
+  /// Measures the picture. Throws Error(self_check) if it is not within the bound that the scheme states for its own quantisation.
+  void measure(const References& references);
+
+  const SimulationResult& result() const { return result_; }
+  RunReport& report() { return report_; }
+  double wall_s() const { return wall_s_; }  ///< of the simulation alone
+  /// After the simulation: that nothing is seen, and why.
+  std::vector<std::string> warnings() const;
+
+ private:
+  SimulationResult result_;
+  RunReport report_;
+  double wall_s_ = 0;
+};
+
+}  // namespace bump
