@@ -19,9 +19,9 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     results = {}
     for path in sorted(folder.glob("*/compare.json")):
-        for scheme in json.loads(path.read_text())["schemes"]:
-            result = scheme["result"]
-            results[result["scene"]["name"], result["scheme"]["id"]] = result
+        comparison = json.loads(path.read_text())
+        for scheme in comparison["schemes"]:
+            results[comparison["scene"]["name"], scheme["id"]] = scheme["result"]
     schemes = sorted({scheme for _, scheme in results})
 
     print("# The main job: every scheme on every shipped scene\n")

@@ -17,7 +17,7 @@ build/bumpsim table2 --angles --format md --out reports/table2.md --force
 for scene in $scenes; do
   build/bumpsim compare "$scene" --schemes all --out "$work/$scene" >/dev/null
   cp "$work/$scene/compare.md" "reports/compare-$scene.md"
-  convert "$work/$scene/compare.png" -resize 1200x "${smaller[@]}" "reports/pictures/compare-$scene.png"
+  convert "$work/$scene/compare.png" -resize 1200x -strip -quality 88 "reports/pictures/compare-$scene.jpg"
 done
 python3 scripts/main_job_table.py "$work" >reports/main_job.md
 
