@@ -122,35 +122,37 @@ std::string allowed(const Parameter& parameter) {
   return to_string(parameter.fallback) + ", " + range_of(parameter);
 }
 
-void Parameters::declare(Parameter parameter) {
+Parameter& Parameters::declare(Parameter parameter) {
   BUMP_ASSERT(!parameter.key.empty());
   for (const char c : parameter.key) BUMP_ASSERT((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.');
   BUMP_ASSERT(!parameter.meaning.empty());
   std::string key = parameter.key;
-  BUMP_ASSERT(parameters_.emplace(std::move(key), std::move(parameter)).second);  // declared twice otherwise
+  const auto [place, added] = parameters_.emplace(std::move(key), std::move(parameter));
+  BUMP_ASSERT(added);  // declared twice otherwise
+  return place->second;
 }
 
-void Parameters::integer(const std::string& key, std::int64_t fallback, std::int64_t low, std::int64_t high, const std::string& unit,
+Parameter& Parameters::integer(const std::string& key, std::int64_t fallback, std::int64_t low, std::int64_t high, const std::string& unit,
                          const std::string& meaning) {
   constexpr std::int64_t exact = std::int64_t{1} << 53;  // bounds are kept as doubles
   BUMP_ASSERT(-exact <= low && low <= fallback && fallback <= high && high <= exact);
-  declare({key, fallback, static_cast<double>(low), static_cast<double>(high), {}, unit, meaning});
+  return declare({key, fallback, static_cast<double>(low), static_cast<double>(high), {}, unit, meaning, false});
 }
 
-void Parameters::number(const std::string& key, double fallback, double low, double high, const std::string& unit,
+Parameter& Parameters::number(const std::string& key, double fallback, double low, double high, const std::string& unit,
                         const std::string& meaning) {
   BUMP_ASSERT(std::isfinite(low) && std::isfinite(high) && low <= fallback && fallback <= high);
-  declare({key, fallback, low, high, {}, unit, meaning});
+  return declare({key, fallback, low, high, {}, unit, meaning, false});
 }
 
-void Parameters::boolean(const std::string& key, bool fallback, const std::string& meaning) {
-  declare({key, fallback, 0, 1, {}, "", meaning});
+Parameter& Parameters::boolean(const std::string& key, bool fallback, const std::string& meaning) {
+  return declare({key, fallback, 0, 1, {}, "", meaning, false});
 }
 
-void Parameters::choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& choices,
+Parameter& Parameters::choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& choices,
                         const std::string& meaning) {
   BUMP_ASSERT(std::find(choices.begin(), choices.end(), fallback) != choices.end());
-  declare({key, fallback, 0, 0, choices, "", meaning});
+  return declare({key, fallback, 0, 0, choices, "", meaning, false});
 }
 
 const Parameter* Parameters::find(const std::string& key) const {

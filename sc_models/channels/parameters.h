@@ -22,15 +22,19 @@ struct Parameter {
   std::vector<std::string> choices;  ///< allowed words; empty for other types
   std::string unit;                  ///< "tokens", "cycles", "bits", "" ...
   std::string meaning;               ///< one line
+  /// Read by nothing but the timing plane: it moves dates, and never values, routes, hits or the intervals that units record. What was
+  /// recorded once can be dated again with another value (sc_models/retiming).
+  bool timing_only = false;
 };
 
 /// The declared parameters, in key order.
 class Parameters {
  public:
-  void integer(const std::string& key, std::int64_t fallback, std::int64_t low, std::int64_t high, const std::string& unit, const std::string& meaning);
-  void number(const std::string& key, double fallback, double low, double high, const std::string& unit, const std::string& meaning);
-  void boolean(const std::string& key, bool fallback, const std::string& meaning);
-  void choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& choices, const std::string& meaning);
+  // Each declares one and returns it, so that it can be marked.
+  Parameter& integer(const std::string& key, std::int64_t fallback, std::int64_t low, std::int64_t high, const std::string& unit, const std::string& meaning);
+  Parameter& number(const std::string& key, double fallback, double low, double high, const std::string& unit, const std::string& meaning);
+  Parameter& boolean(const std::string& key, bool fallback, const std::string& meaning);
+  Parameter& choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& choices, const std::string& meaning);
 
   const Parameter* find(const std::string& key) const;
   const std::map<std::string, Parameter>& all() const { return parameters_; }
@@ -38,7 +42,7 @@ class Parameters {
   std::string nearest(const std::string& key) const;
 
  private:
-  void declare(Parameter parameter);
+  Parameter& declare(Parameter parameter);
   std::map<std::string, Parameter> parameters_;
 };
 

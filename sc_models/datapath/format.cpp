@@ -10,7 +10,9 @@ namespace bump {
 namespace {
 
 double power_of_two(int exponent) {
-  return std::ldexp(1.0, exponent);
+  constexpr int bias = 1023;
+  if (exponent <= -bias || exponent > bias) return std::ldexp(1.0, exponent);
+  return double_from_bits(static_cast<std::int64_t>(exponent + bias) << 52);  // asked for with every word that is looked at
 }
 
 std::int64_t lowest_word(const Format& f) {

@@ -1,53 +1,69 @@
-// Double-precision evaluation: the algorithm itself. Full-turn angles wrap, nothing else is rounded; tables call their functions.
+// Double-precision evaluation: the algorithm itself. Full-turn angles wrap, nothing else is rounded; tables call their functions. Values
+// live in slots as long as something reads them, and a node that somebody asks for is kept from then on, as in fixed_evaluator.cpp.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "datapath/evaluators.h"
 #include "datapath/invariant.h"
+#include "datapath/kept_nodes.h"
 #include "datapath/lane_math.h"
+#include "datapath/real_kernels.h"
+#include "datapath/slot_plan.h"
 
 namespace bump {
 
 namespace {
 
-using Lane = std::array<double, block_lanes>;
+struct alignas(64) Lane {
+  std::array<double, block_lanes> values{};
+};
 
-template <class Function>
-void each(int lanes, Lane& out, const Function& function) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(lanes); ++i) out[i] = function(i);
-}
+struct RealStep {
+  const Node* node = nullptr;
+  int index = -1;
+  std::array<int, 3> operands{-1, -1, -1};
+  std::array<const double*, 3> in{};
+  double* out = nullptr;
+  double factor = 1;  ///< shift
+  bool wraps = false;
+  const Table* table = nullptr;  ///< column
+};
 
 class RealEvaluator : public Evaluator {
  public:
-  explicit RealEvaluator(const Netlist& netlist) : netlist_(netlist), lanes_(netlist.nodes().size()) {
-    for (std::size_t i = 0; i < netlist.nodes().size(); ++i) {
-      const Node& node = netlist.nodes()[i];
-      if (node.op == Op::constant) lanes_[i].fill(wrap_turns(node.value, node.format));
+  explicit RealEvaluator(const Netlist& netlist) : netlist_(netlist), kept_(netlist.nodes().size()) {
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (node(i).op != Op::input && node(i).op != Op::constant) continue;
+      own_[static_cast<int>(i)] = std::make_unique<Lane>();
+      if (node(i).op == Op::constant) own_[static_cast<int>(i)]->values.fill(wrap_turns(node(i).value, node(i).format));
     }
+    prepare();
   }
 
   void evaluate(const double* const* inputs, int lanes, double* const* outputs) override {
     BUMP_ASSERT(lanes >= 0 && lanes <= block_lanes);
-    const std::vector<Node>& nodes = netlist_.nodes();
-    std::size_t port = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (nodes[i].op == Op::constant) continue;
-      if (nodes[i].op == Op::input) {
-        const double* values = inputs[port++];  // ports are in the order of their nodes
-        each(lanes, lanes_[i], [&](std::size_t j) { return values[j]; });
-      } else {
-        run(nodes[i], lanes, lanes_[i]);
-      }
-      if (nodes[i].format.wraps()) each(lanes, lanes_[i], [&](std::size_t j) { return to_half_open_turn(lanes_[i][j]); });
+    lanes_ = lanes;
+    for (std::size_t i = 0; i < netlist_.inputs().size(); ++i) {
+      const auto port = static_cast<std::size_t>(netlist_.inputs()[i].node);
+      double* values = own_.at(static_cast<int>(port))->values.data();
+      std::copy(inputs[i], inputs[i] + lanes, values);
+      if (node(port).format.wraps()) real_lanes::wrap(values, lanes);
     }
+    run();
     for (std::size_t i = 0; i < netlist_.outputs().size(); ++i) {
-      const Lane& lane = lanes_[static_cast<std::size_t>(netlist_.outputs()[i].node)];
-      for (std::size_t j = 0; j < static_cast<std::size_t>(lanes); ++j) outputs[i][j] = lane[j];
+      const double* values = values_[static_cast<std::size_t>(netlist_.outputs()[i].node)];
+      std::copy(values, values + lanes, outputs[i]);
     }
   }
 
-  double value(int node, int lane) const override { return lanes_[static_cast<std::size_t>(node)][static_cast<std::size_t>(lane)]; }
+  double value(int index, int lane) const override {
+    const auto i = static_cast<std::size_t>(index);
+    if (!kept_[i]) keep(i);
+    return values_[i][lane];
+  }
 
   std::int64_t raw(int, int) const override {
     const bool evaluates_words = false;
@@ -56,64 +72,141 @@ class RealEvaluator : public Evaluator {
   }
 
  private:
-  void run(const Node& node, int lanes, Lane& out) const {
-    const auto operand = [&](std::size_t j) -> const Lane& { return lanes_[static_cast<std::size_t>(node.operands[j])]; };
-    const Lane& a = operand(0);
-    const Lane& b = node.operands.size() > 1 ? operand(1) : a;
-    const Lane& c = node.operands.size() > 2 ? operand(2) : a;
-    switch (node.op) {
+  const Node& node(std::size_t i) const { return netlist_.nodes()[i]; }
+
+  void keep(std::size_t i) const {
+    kept_.keep(i);
+    prepare();
+    run();
+  }
+
+  /// Wiring that changes nothing. Angles of one turn have been wrapped where they were made; wrapping them again changes no bit.
+  bool is_same_value(const Node& n) const {
+    const auto was_wrapped = [&] { return node(static_cast<std::size_t>(n.operands[0])).format.wraps(); };
+    if (n.op == Op::table) return !wraps(n) || was_wrapped();
+    return n.op == Op::shift && n.amount == 0 && (!wraps(n) || was_wrapped());
+  }
+
+  /// A table node stands for its index, which wraps by the table's format.
+  bool wraps(const Node& n) const {
+    if (n.op == Op::table) return netlist_.tables()[static_cast<std::size_t>(n.table)]->index.wraps() || n.format.wraps();
+    return n.format.wraps();
+  }
+
+  void prepare() const {
+    steps_.clear();
+    std::vector<bool> reached = kept_.all();
+    for (const Netlist::Port& port : netlist_.outputs()) reached[static_cast<std::size_t>(port.node)] = true;
+    for (std::size_t i = reached.size(); i-- > 0;) {
+      if (!reached[i]) continue;
+      for (const int operand : node(i).operands) reached[static_cast<std::size_t>(operand)] = true;
+    }
+    std::vector<int> same(kept_.size());
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      const Node& n = node(i);
+      same[i] = static_cast<int>(i);
+      if (!reached[i] || own_.count(static_cast<int>(i)) != 0) continue;
+      if (is_same_value(n)) {
+        same[i] = same[static_cast<std::size_t>(n.operands[0])];
+        continue;
+      }
+      RealStep step;
+      step.node = &n;
+      step.index = static_cast<int>(i);
+      step.wraps = wraps(n);
+      step.factor = n.op == Op::shift ? std::ldexp(1.0, n.amount) : 1.0;
+      for (std::size_t j = 0; j < n.operands.size(); ++j) step.operands[j] = same[static_cast<std::size_t>(n.operands[j])];
+      if (n.op == Op::column) {
+        const Node& read = node(static_cast<std::size_t>(n.operands[0]));
+        step.table = netlist_.tables()[static_cast<std::size_t>(read.table)].get();
+        for (std::size_t j = 1; j < read.operands.size(); ++j) step.operands[j] = same[static_cast<std::size_t>(read.operands[j])];
+      }
+      steps_.push_back(step);
+    }
+    place(same);
+  }
+
+  void place(const std::vector<int>& same) const {
+    SlotPlan plan(kept_.size());
+    for (std::size_t i = 0; i < kept_.size(); ++i)
+      if (kept_[i]) plan.hold(same[i]);
+    for (const Netlist::Port& port : netlist_.outputs()) plan.hold(same[static_cast<std::size_t>(port.node)]);
+    for (const RealStep& step : steps_) {
+      std::vector<int> read;
+      for (const int operand : step.operands)
+        if (operand >= 0 && own_.count(operand) == 0) read.push_back(operand);
+      plan.step({step.index}, std::move(read));
+    }
+    const std::vector<int> slots = plan.assign([](int) { return 0; });
+    slots_.resize(static_cast<std::size_t>(plan.slots(0)));
+    values_.assign(kept_.size(), nullptr);
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      const int slot = slots[static_cast<std::size_t>(same[i])];
+      const auto own = own_.find(same[i]);
+      if (own != own_.end())
+        values_[i] = own->second->values.data();
+      else if (slot >= 0)
+        values_[i] = slots_[static_cast<std::size_t>(slot)].values.data();
+    }
+    for (RealStep& step : steps_) {
+      for (std::size_t j = 0; j < step.in.size(); ++j)
+        if (step.operands[j] >= 0) step.in[j] = values_[static_cast<std::size_t>(step.operands[j])];
+      step.out = values_[static_cast<std::size_t>(step.index)];
+    }
+  }
+
+  void run() const {
+    for (const RealStep& step : steps_) {
+      run(step, lanes_);
+      if (step.wraps) real_lanes::wrap(step.out, lanes_);
+    }
+  }
+
+  static void read(const RealStep& s, int lanes) {
+    const Column& column = s.table->columns[static_cast<std::size_t>(s.node->amount)];
+    if (!s.table->is_map()) return column.function.block(s.in[0], s.out, lanes);
+    for (int i = 0; i < lanes; ++i) {
+      std::array<double, 3> index{s.in[0][i]};
+      for (std::size_t j = 0; j < s.table->fields.size(); ++j) index[j + 1] = wrap_turns(s.in[j + 1][i], s.table->fields[j].index);
+      s.out[i] = column.map_function(index.data());
+    }
+  }
+
+  static void run(const RealStep& s, int lanes) {
+    const auto [a, b, c] = s.in;
+    switch (s.node->op) {
       case Op::add:
-        return each(lanes, out, [&](std::size_t i) { return a[i] + b[i]; });
       case Op::join:
-        return each(lanes, out, [&](std::size_t i) { return a[i] + b[i]; });
+        return real_lanes::add(a, b, s.out, lanes);
       case Op::sub:
-        return each(lanes, out, [&](std::size_t i) { return a[i] - b[i]; });
+        return real_lanes::subtract(a, b, s.out, lanes);
       case Op::mul:
-        return each(lanes, out, [&](std::size_t i) { return a[i] * b[i]; });
+        return real_lanes::multiply(a, b, s.out, lanes);
       case Op::div:
-        return each(lanes, out, [&](std::size_t i) { return a[i] / b[i]; });
+        return real_lanes::divide(a, b, s.out, lanes);
       case Op::sqrt:
-        return each(lanes, out, [&](std::size_t i) { return std::sqrt(a[i]); });
-      case Op::table: {
-        const bool turns = netlist_.tables()[static_cast<std::size_t>(node.table)]->index.wraps();
-        return each(lanes, out, [&](std::size_t i) { return turns ? to_half_open_turn(a[i]) : a[i]; });
-      }
-      case Op::column: {
-        const Node& read = netlist_.nodes()[static_cast<std::size_t>(node.operands[0])];
-        const Table& table = *netlist_.tables()[static_cast<std::size_t>(read.table)];
-        const Column& column = table.columns[static_cast<std::size_t>(node.amount)];
-        if (!table.is_map()) return each(lanes, out, [&](std::size_t i) { return column.function(a[i]); });
-        return each(lanes, out, [&](std::size_t i) {
-          std::array<double, 3> index{a[i]};
-          for (std::size_t j = 1; j < read.operands.size(); ++j)
-            index[j] = wrap_turns(lanes_[static_cast<std::size_t>(read.operands[j])][i], table.fields[j - 1].index);
-          return column.map_function(index.data());
-        });
-      }
-      case Op::shift: {
-        const double scale = std::ldexp(1.0, node.amount);
-        return each(lanes, out, [&](std::size_t i) { return a[i] * scale; });
-      }
+        return real_lanes::root(a, s.out, lanes);
+      case Op::table:
+        std::copy(a, a + lanes, s.out);
+        return;
+      case Op::column:
+        return read(s, lanes);
+      case Op::shift:
+        return real_lanes::scale(a, s.factor, s.out, lanes);
       case Op::negate:
-        return each(lanes, out, [&](std::size_t i) { return -a[i]; });
+        return real_lanes::negate(a, s.out, lanes);
       case Op::absolute:
-        return each(lanes, out, [&](std::size_t i) { return std::fabs(a[i]); });
+        return real_lanes::absolute(a, s.out, lanes);
       case Op::half_turn:
-        return each(lanes, out, [&](std::size_t i) { return a[i] + 0.5; });
-      case Op::clamp: {
-        // Comparisons ordered so that 0/0 goes to the upper bound, as the all-ones quotient of the hardware does.
-        const double low = node.low, high = node.high;
-        return each(lanes, out, [&](std::size_t i) {
-          const double below = a[i] < high ? a[i] : high;
-          return below > low ? below : low;
-        });
-      }
+        return real_lanes::add_half(a, s.out, lanes);
+      case Op::clamp:
+        return real_lanes::clamp(a, s.node->low, s.node->high, s.out, lanes);
       case Op::select:
-        return each(lanes, out, [&](std::size_t i) { return a[i] != 0.0 ? b[i] : c[i]; });
+        return real_lanes::select(a, b, c, s.out, lanes);
       case Op::is_negative:
-        return each(lanes, out, [&](std::size_t i) { return a[i] < 0.0 ? 1.0 : 0.0; });
+        return real_lanes::is_negative(a, s.out, lanes);
       case Op::is_beyond_quarter:
-        return each(lanes, out, [&](std::size_t i) { return a[i] > 0.25 || a[i] < -0.25 ? 1.0 : 0.0; });
+        return real_lanes::is_beyond_quarter(a, s.out, lanes);
       case Op::input:
       case Op::constant:
         return;
@@ -121,7 +214,14 @@ class RealEvaluator : public Evaluator {
   }
 
   const Netlist& netlist_;
-  std::vector<Lane> lanes_;  ///< values per node; table nodes hold the index
+  std::map<int, std::unique_ptr<Lane>> own_;  ///< values that last: of inputs and constants
+  int lanes_ = 0;
+
+  // Which nodes are kept is no part of what the evaluator computes: it may change while it is looked at.
+  mutable KeptNodes kept_;
+  mutable std::vector<RealStep> steps_;
+  mutable std::vector<Lane> slots_;
+  mutable std::vector<double*> values_;  ///< by node; null where nothing is computed. Table nodes hold the index
 };
 
 }  // namespace

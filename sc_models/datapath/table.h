@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "datapath/format.h"
+#include "datapath/real_function.h"
 
 namespace bump {
 
@@ -36,8 +37,8 @@ struct Symmetry {
 };
 
 struct Column {
-  std::string name;                        ///< e.g. "sin"
-  std::function<double(double)> function;  ///< value for an unfolded index value (turns for angles); total: finite for every index
+  std::string name;       ///< e.g. "sin"
+  RealFunction function;  ///< value for an unfolded index value (turns for angles); total: finite for every index
   std::function<double(const double*)> map_function;  ///< the same for a map: of all its index values, in order
   Format format{};                                    ///< of the value read, sign included
   Symmetry symmetry{};                                ///< used by `magnitude` and `quarter`

@@ -127,6 +127,7 @@ struct SchemePage {
   /// Units ("environment", "illumination") that are in no source in this form but were made to agree with what is known of them, counts or remarks;
   /// tables mark them.
   std::vector<std::string> reconstructed{};
+  bool mirrored_charts = true;  ///< false: texture charts that run the wrong way round are shaded wrongly, and no parameter helps
 };
 
 class Scheme {

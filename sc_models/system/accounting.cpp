@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "units/light_map_fill.h"
+
 namespace bump {
 
 UnitCost unit_cost(const std::string& name, const Netlist& netlist, const Schedule* schedule, std::int64_t executions) {
@@ -12,6 +14,16 @@ UnitCost unit_cost(const std::string& name, const Netlist& netlist, const Schedu
   cost.addition = count(netlist, Portion::addition);
   cost.executions = executions;
   if (schedule != nullptr) cost.pipeline = {schedule->latency, schedule->initiation_interval, schedule->multipliers_built};
+  return cost;
+}
+
+UnitCost frame_cost(const LightMaps& maps, const std::vector<Light>& lights, std::int64_t executions) {
+  UnitCost cost = unit_cost("frame", maps.fill, nullptr, executions);
+  cost.per_light = count(maps.fill);
+  cost.lights = std::max(1, static_cast<int>(lights.size()));
+  const bool scaled = scales_lights(lights);
+  cost.published += count(light_sum_netlist(maps, scaled, false));
+  cost.per_light += count(light_sum_netlist(maps, scaled, true));
   return cost;
 }
 
@@ -32,7 +44,8 @@ std::vector<TableUse> table_uses(const std::string& unit, const Netlist& netlist
   for (const Node& node : netlist.nodes()) {
     if (node.op != Op::table) continue;
     const Table& table = *netlist.tables()[static_cast<std::size_t>(node.table)];
-    auto use = std::find_if(uses.begin(), uses.end(), [&](const TableUse& u) { return u.name == table.name && u.addition == node.addition; });
+    auto use =
+        std::find_if(uses.begin(), uses.end(), [&](const TableUse& u) { return u.name == table.name && u.addition == node.addition; });
     if (use == uses.end()) {
       uses.push_back({unit, table.name, table.formula, table.entries(), table.bits(), 0, 0, node.addition});
       use = uses.end() - 1;

@@ -50,17 +50,58 @@ void run_kernel(const Failure& failure) {
   failure.rethrow();
 }
 
+/// Takes the records of retired blocks and forgets them.
+class RecordSink : public UnitModule {
+ public:
+  RecordSink(const sc_core::sc_module_name& name, Failure& failure, BlockFifo<TimingRecords>& in_records)
+      : UnitModule(name, failure), in_records_(in_records) {}
+
+ private:
+  void work() override {
+    while (in_records_.read()) {
+    }
+    sc_core::sc_stop();
+  }
+  BlockFifo<TimingRecords>& in_records_;
+};
+
+/// Shows the records of retired blocks to a listener on their way to the engine.
+class RecordTap : public UnitModule {
+ public:
+  RecordTap(const sc_core::sc_module_name& name, Failure& failure, BlockFifo<TimingRecords>& in_records,
+            std::function<void(const TimingRecords&)> listener)
+      : UnitModule(name, failure), in_records_(in_records), out_records_("records"), listener_(std::move(listener)) {}
+  BlockFifo<TimingRecords>& out_records() { return out_records_; }
+
+ private:
+  void work() override {
+    while (auto records = in_records_.read()) {
+      listener_(*records);
+      out_records_.write(std::move(records));
+    }
+    out_records_.close();
+  }
+  BlockFifo<TimingRecords>& in_records_;
+  BlockFifo<TimingRecords> out_records_;
+  std::function<void(const TimingRecords&)> listener_;
+};
+
 /// The engine around the pipeline; owns whichever timing plane dates its records.
 class TimedRun {
  public:
   TimedRun(Pipeline& pipeline, const PipelineTiming& timing, const SimulationOptions& options, sc_core::sc_time period)
       : pipeline_(pipeline), last_interval_(timing.graph.stages.size(), 0) {
+    if (options.record) tap_.emplace("record_tap", pipeline.failure(), pipeline.out_records(), options.record);
+    if (options.engine == Engine::untimed) {
+      sink_.emplace("record_sink", pipeline.failure(), source());
+      return;
+    }
     if (options.engine == Engine::dated) {
-      dated_.emplace("dated_engine", pipeline.failure(), timing, pipeline.out_records(), period, last_interval_);
+      dated_.emplace("dated_engine", pipeline.failure(), timing, source(), period, last_interval_);
       return;
     }
     stepped_.emplace("stepped_engine", timing.graph, period, [this, &timing] {
-      const auto records = pipeline_.out_records().read();
+      const auto records = source().read();
       if (records) feed(*stepped_, *records, timing, last_interval_);
       return records != nullptr;
     });
@@ -69,6 +110,7 @@ class TimedRun {
 
   TimingResult run() {
     run_kernel(pipeline_.failure());
+    if (sink_) return {};
     return dated_ ? dated_->result() : stepped_->result();
   }
 
@@ -76,8 +118,12 @@ class TimedRun {
   const std::vector<Cycle>& last_interval() const { return last_interval_; }
 
  private:
+  BlockFifo<TimingRecords>& source() { return tap_ ? tap_->out_records() : pipeline_.out_records(); }
+
   Pipeline& pipeline_;
   std::vector<Cycle> last_interval_;
+  std::optional<RecordTap> tap_;
+  std::optional<RecordSink> sink_;
   std::optional<DatedEngine> dated_;
   std::optional<SteppedEngine> stepped_;
 };
@@ -130,7 +176,7 @@ void account(const Pipeline& pipeline, const PipelineContext& context, const Dat
   unit("colour", pipeline.colour().netlist(), &schedules.colour, pipeline.colour().executions());
   result.units.push_back(unit_cost("interpolators", interpolator_netlist(context), nullptr, result.geometry.fragments));
   if (const LightMapFetch* fetch = pipeline.light_map_fetch())
-    result.units.push_back(unit_cost("frame", design.light_maps->fill, nullptr, fetch->fill_executions()));
+    result.units.push_back(frame_cost(*design.light_maps, context.scene->lights, fetch->fill_executions()));
   UnitCost vertex = unit_cost("vertex", design.vertex, nullptr, result.geometry.vertices);
   vertex.per_light = count_nodes(design.vertex, depends_on(design.vertex, {"L."}));
   vertex.lights = context.lights;
@@ -180,7 +226,7 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   result.geometry = geometry_of(pipeline);
   result.fragments = result.geometry.fragments;
   result.texture = pipeline.texture_fetch().counters();
-  result.bound = lower_bound(timing.graph, result.timing, run.last_interval());
+  if (options.engine != Engine::untimed) result.bound = lower_bound(timing.graph, result.timing, run.last_interval());
   result.hardware = pipeline.frame_sink().hardware();
   if (options.measure) result.exact = pipeline.frame_sink().exact();
   result.angular_errors = pipeline.environment().meter().hardware();
@@ -190,7 +236,7 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   result.diverged = pipeline.frame_sink().diverged();
   result.clock_megahertz = megahertz;
   account(pipeline, *context, schedules, result);
-  check_conservation(result, timing.graph, run.last_interval());
+  if (options.engine != Engine::untimed) check_conservation(result, timing.graph, run.last_interval());
   return result;
 }
 

@@ -19,7 +19,10 @@
 
 namespace bump {
 
-enum class Engine { dated, stepped };
+/// `untimed` computes values only: a result without any cycle, to measure what dates cost.
+enum class Engine { dated, stepped, untimed };
+
+struct TimingRecords;
 
 struct SimulationOptions {
   Engine engine = Engine::dated;
@@ -27,6 +30,8 @@ struct SimulationOptions {
   /// run is faster and has no exact frame, no angular errors and no diverged pixels.
   bool measure = true;
   std::string trace;  ///< path of a VCD, stepped engine only; empty for none
+  /// Called with the timing records of every block that retires, in order, before they are dated.
+  std::function<void(const TimingRecords&)> record;
   /// Called now and then with the share of triangles done, 0 to 1.
   std::function<void(double)> progress;
   /// Polled; when set, the simulation stops with an Error.

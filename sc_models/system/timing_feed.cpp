@@ -6,9 +6,9 @@ namespace bump {
 
 namespace {
 
-void append_all(TimingPlane& plane, int index, const std::vector<TokenRecord>& records, std::vector<Cycle>& last_interval) {
+void append_all(TimingPlane& plane, int index, const TokenRecords& records, std::vector<Cycle>& last_interval) {
   if (records.empty()) return;
-  plane.append(index, records.data(), records.size());
+  for (const TokenRun& run : records.runs()) plane.append_uniform(index, run.record, static_cast<std::size_t>(run.count));
   last_interval[static_cast<std::size_t>(index)] = records.back().interval;
 }
 
@@ -31,8 +31,12 @@ void feed(TimingPlane& plane, const TimingRecords& records, const PipelineTiming
   append_all(plane, timing.place[stage::rasterizer], records.raster, last_interval);
   append_all(plane, timing.place[stage::texture_fetch], records.texture, last_interval);
   if (!records.light_map.empty()) {
-    std::vector<TokenRecord> fetched = records.light_map;
-    for (TokenRecord& record : fetched) record.interval = std::max(record.interval, timing.interval[stage::light_map_fetch]);
+    TokenRecords fetched;
+    for (const TokenRun& run : records.light_map.runs()) {
+      TokenRecord record = run.record;
+      record.interval = std::max(record.interval, timing.interval[stage::light_map_fetch]);
+      fetched.append(record, run.count);
+    }
     append_all(plane, timing.place[stage::light_map_fetch], fetched, last_interval);
   }
   if (records.fragments == 0) return;

@@ -10,7 +10,7 @@
 namespace bump {
 
 struct TimingRecords {
-  std::vector<TokenRecord> vertex, setup, raster, texture, light_map;
+  TokenRecords vertex, setup, raster, texture, light_map;
   int fragments = 0;  ///< tokens of the stages whose tokens are all alike
 };
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "channels/timing_graph.h"
 #include "datapath/evaluate.h"
+#include "units/token_records.h"
 
 namespace bump {
 
@@ -48,11 +48,11 @@ struct FragmentBlock {
   std::vector<Lanes> exact;
 
   // Timing records of the tokens of this block, in token order.
-  std::vector<TokenRecord> vertex_records, setup_records;  ///< triangles that entered the pipeline up to this block
-  std::vector<TokenRecord> raster_records;                 ///< fragments, and triangles without any
-  std::vector<TokenRecord> texture_records;                ///< one per fragment
-  std::vector<TokenRecord> light_map_records;              ///< one per fragment where the design has light maps
-  bool last = false;                                       ///< nothing follows
+  TokenRecords vertex_records, setup_records;  ///< triangles that entered the pipeline up to this block
+  TokenRecords raster_records;                 ///< fragments, and triangles without any
+  TokenRecords texture_records;                ///< one per fragment
+  TokenRecords light_map_records;              ///< one per fragment where the design has light maps
+  bool last = false;                           ///< nothing follows
 };
 
 /// Names of the planes of a pipeline. Lights share names: planes of light l are "name" for l = 0 and "name#l" for the others.

@@ -1,6 +1,29 @@
 #include "units/frame_sink.h"
 
+#include <algorithm>
+
+#include "datapath/lane_clones.h"
+
 namespace bump {
+
+namespace {
+
+BUMP_LANE_LOOP int count_nearer(const double* __restrict depth, const double* __restrict stored, int count) {
+  int nearer = 0;
+  for (int i = 0; i < count; ++i) nearer += depth[i] < stored[i] ? 1 : 0;
+  return nearer;
+}
+
+BUMP_LANE_LOOP void interleave(const double* __restrict red, const double* __restrict green, const double* __restrict blue, int count,
+                               double* __restrict colour) {
+  for (int i = 0; i < count; ++i) {
+    colour[3 * i] = red[i];
+    colour[3 * i + 1] = green[i];
+    colour[3 * i + 2] = blue[i];
+  }
+}
+
+}  // namespace
 
 FrameBuffer empty_frame(const Scene& scene) {
   FrameBuffer frame;
@@ -10,7 +33,8 @@ FrameBuffer empty_frame(const Scene& scene) {
   frame.object.assign(pixels, -1);
   frame.depth.assign(pixels, 1.0);
   frame.colour.resize(3 * pixels);
-  for (std::size_t i = 0; i < frame.colour.size(); ++i) frame.colour[i] = scene.background[static_cast<int>(i % 3)];
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t c = 0; c < 3; ++c) frame.colour[3 * i + c] = scene.background[static_cast<int>(c)];
   return frame;
 }
 
@@ -22,25 +46,35 @@ FrameSink::FrameSink(std::shared_ptr<const PipelineContext> context)
 }
 
 void FrameSink::process(const FragmentBlock& block) {
-  const auto first = static_cast<std::size_t>(colour_plane_);
-  const bool exact = context_->separate_exact();
-  for (std::size_t lane = 0; lane < static_cast<std::size_t>(block.lanes); ++lane) {
-    const auto pixel =
-        static_cast<std::size_t>(block.y[lane]) * static_cast<std::size_t>(hardware_.width) + static_cast<std::size_t>(block.x[lane]);
-    ++retired_;
-    if (!(block.depth[lane] < hardware_.depth[pixel])) {
-      ++hidden_;
-      continue;
+  const auto lanes = static_cast<std::size_t>(block.lanes), width = static_cast<std::size_t>(hardware_.width);
+  retired_ += block.lanes;
+  // Fragments come in runs of neighbours in a row.
+  for (std::size_t begin = 0, end = 0; begin < lanes; begin = end) {
+    const std::int32_t x = block.x[begin], y = block.y[begin];
+    for (end = begin + 1; end < lanes && block.y[end] == y && block.x[end] == x + static_cast<std::int32_t>(end - begin); ++end) {
     }
-    hardware_.depth[pixel] = block.depth[lane];
-    hardware_.object[pixel] = block.object;
-    diverged_[pixel] = block.diverged[lane];
-    for (std::size_t c = 0; c < 3; ++c) hardware_.colour[3 * pixel + c] = block.hardware[first + c][lane];
-    if (!exact) continue;
-    exact_.depth[pixel] = block.depth[lane];
-    exact_.object[pixel] = block.object;
-    for (std::size_t c = 0; c < 3; ++c) exact_.colour[3 * pixel + c] = block.exact[first + c][lane];
+    const std::size_t pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+    const int count = static_cast<int>(end - begin), seen = count_nearer(&block.depth[begin], &hardware_.depth[pixel], count);
+    hidden_ += count - seen;
+    if (seen == count) {
+      write(block, begin, pixel, end - begin);
+    } else if (seen > 0) {
+      for (std::size_t i = 0; i < end - begin; ++i)
+        if (block.depth[begin + i] < hardware_.depth[pixel + i]) write(block, begin + i, pixel + i, 1);
+    }
   }
+}
+
+void FrameSink::write(const FragmentBlock& block, std::size_t lane, std::size_t pixel, std::size_t count) {
+  const auto first = static_cast<std::size_t>(colour_plane_);
+  const auto write_to = [&](FrameBuffer& frame, const std::vector<Lanes>& planes) {
+    std::copy_n(&block.depth[lane], count, &frame.depth[pixel]);
+    std::fill_n(&frame.object[pixel], count, block.object);
+    interleave(&planes[first][lane], &planes[first + 1][lane], &planes[first + 2][lane], static_cast<int>(count), &frame.colour[3 * pixel]);
+  };
+  write_to(hardware_, block.hardware);
+  if (context_->separate_exact()) write_to(exact_, block.exact);
+  std::copy_n(&block.diverged[lane], count, &diverged_[pixel]);
 }
 
 }  // namespace bump

@@ -28,6 +28,9 @@ class FrameSink {
   const FrameBuffer& exact() const { return context_->separate_exact() ? exact_ : hardware_; }
 
  private:
+  /// `count` lanes into neighbouring pixels.
+  void write(const FragmentBlock& block, std::size_t lane, std::size_t pixel, std::size_t count);
+
   std::shared_ptr<const PipelineContext> context_;
   FrameBuffer hardware_, exact_;
   std::vector<std::uint8_t> diverged_;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "datapath/lane_clones.h"
+
 namespace bump {
 
 namespace {
@@ -10,21 +12,26 @@ const Netlist* conversion_of(const Design& design) {
   return design.conversion ? &*design.conversion : nullptr;
 }
 
-/// Lanes [begin, end) of one plane, all in one triangle; `corner` holds the component of corner 0, `stride` values apart from the next
-/// corner's.
-void interpolate(const FragmentBlock& block, std::size_t begin, std::size_t end, const double* corner, std::size_t stride,
-                 InterpolantKind kind, Lanes& plane) {
-  const double a0 = corner[0], a1 = corner[stride] - a0, a2 = corner[2 * stride] - a0;
-  const Lanes &w1 = block.weight1, &w2 = block.weight2;
-  for (std::size_t lane = begin; lane < end; ++lane) plane[lane] = a0 + w1[lane] * a1 + w2[lane] * a2;
-  if (kind == InterpolantKind::linear) return;
-  for (std::size_t lane = begin; lane < end; ++lane) plane[lane] -= std::floor(plane[lane] + 0.5);
+/// One plane of `count` lanes of a triangle, from the first corner's value and the differences of the others.
+BUMP_LANE_LOOP void interpolate(const double* __restrict w1, const double* __restrict w2, double a0, double a1, double a2, int count,
+                                double* __restrict plane) {
+  for (int i = 0; i < count; ++i) plane[i] = a0 + w1[i] * a1 + w2[i] * a2;
+}
+
+/// The same for angles, in turns.
+BUMP_LANE_LOOP void interpolate_angle(const double* __restrict w1, const double* __restrict w2, double a0, double a1, double a2, int count,
+                                      double* __restrict plane) {
+  for (int i = 0; i < count; ++i) {
+    const double angle = a0 + w1[i] * a1 + w2[i] * a2;
+    plane[i] = angle - std::floor(angle + 0.5);
+  }
 }
 
 }  // namespace
 
 void InterpolatorsConfig::declare(Parameters& p) {
-  p.integer("interpolators.latency", 4, 1, 4096, "cycles", "interpolation of a fragment, beside the latency of a conversion netlist");
+  p.integer("interpolators.latency", 4, 1, 4096, "cycles", "interpolation of a fragment, beside the latency of a conversion netlist")
+      .timing_only = true;
 }
 
 InterpolatorsConfig::InterpolatorsConfig(const Configuration& c) : latency(static_cast<int>(c.integer("interpolators.latency"))) {}
@@ -72,8 +79,11 @@ void Interpolators::process(FragmentBlock& block) {
     const auto stride = static_cast<std::size_t>(context_->stride());
     for (std::size_t a = 0; a < context_->attributes.size(); ++a) {
       const Attribute& attribute = context_->attributes[a];
-      interpolate(block, begin, end, &triangle.attributes[2 + a], stride, attribute.kind,
-                  block.hardware[static_cast<std::size_t>(attribute.plane)]);
+      const double* corner = &triangle.attributes[2 + a];
+      const double a0 = corner[0];
+      const auto along = attribute.kind == InterpolantKind::linear ? interpolate : interpolate_angle;
+      along(&block.weight1[begin], &block.weight2[begin], a0, corner[stride] - a0, corner[2 * stride] - a0, static_cast<int>(end - begin),
+            &block.hardware[static_cast<std::size_t>(attribute.plane)][begin]);
     }
   }
   conversion_.process(block);

@@ -47,7 +47,7 @@ class LightMapFetch {
   /// Entries of all objects' maps, of one map each.
   std::int64_t words_written() const;
   /// Executions of the frame netlist: entries times lights times objects.
-  std::int64_t fill_executions() const { return words_written() * context_->lights; }
+  std::int64_t fill_executions() const { return context_->lights > 0 ? words_written() : 0; }
   int word_bytes(int map) const { return layout_.word_bytes(map); }
 
  private:

@@ -51,7 +51,31 @@ std::vector<DistantLight> distant_lights(const ObjectSpace& space, const Mesh& m
   return lights;
 }
 
-LightMapFill::LightMapFill(const LightMaps& maps) : maps_(maps), evaluator_(make_evaluator(maps.fill, Arithmetic::real)) {
+Netlist light_sum_netlist(const LightMaps& maps, bool scaled, bool added) {
+  Netlist n("light_sum");
+  const Format format = real();
+  Wire intensity;
+  if (scaled) intensity = n.input("intensity", format);
+  for (const LightMaps::Map& map : maps.maps) {
+    Wire value = n.input(map.name, format);
+    if (scaled) value = n.mul(map.name + ".scaled", value, intensity, format);
+    if (added) value = n.add(map.name + ".total", value, n.input(map.name + ".sum", format), format);
+    n.output(map.name, value);
+  }
+  return n;
+}
+
+bool scales_lights(const std::vector<Light>& lights) {
+  return std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.intensity != 1; });
+}
+
+LightMapFill::LightMapFill(const LightMaps& maps)
+    : maps_(maps),
+      evaluator_(make_evaluator(maps.fill, Arithmetic::real)),
+      first_(light_sum_netlist(maps, true, false)),
+      further_(light_sum_netlist(maps, true, true)),
+      first_evaluator_(make_evaluator(first_, Arithmetic::real)),
+      further_evaluator_(make_evaluator(further_, Arithmetic::real)) {
   for (const Netlist::Port& port : maps.fill.inputs()) inputs_.push_back(component(port.name));
   const std::vector<Netlist::Port>& outputs = maps.fill.outputs();
   for (const LightMaps::Map& map : maps.maps) {
@@ -68,7 +92,7 @@ LightMapFill::LightMapFill(const LightMaps& maps) : maps_(maps), evaluator_(make
 void LightMapFill::set_lights(const std::vector<DistantLight>& lights) {
   lights_.resize(lights.size());
   for (std::size_t l = 0; l < lights.size(); ++l) {
-    lights_[l].intensity = lights[l].intensity;
+    lights_[l].intensity.fill(lights[l].intensity);
     for (int axis = 0; axis < 3; ++axis) {
       lights_[l].vectors[static_cast<std::size_t>(axis)].fill(lights[l].light[axis]);
       lights_[l].vectors[static_cast<std::size_t>(3 + axis)].fill(lights[l].half[axis]);
@@ -82,19 +106,25 @@ void LightMapFill::evaluate(const std::vector<glm::dvec3>& normals, int lanes, s
   for (std::size_t lane = 0; lane < count; ++lane)
     for (int axis = 0; axis < 3; ++axis) normal_[static_cast<std::size_t>(axis)][lane] = normals[lane][axis];
   for (Lanes& sum : sums) std::fill_n(sum.begin(), count, 0.0);
-  std::vector<const double*> inputs(inputs_.size());
-  std::vector<double*> outputs;
+  std::vector<const double*> inputs(inputs_.size()), parts;
+  std::vector<double*> outputs, totals;
   for (Lanes& result : results_) outputs.push_back(result.data());
-  for (const Light& light : lights_) {
+  for (Lanes& sum : sums) totals.push_back(sum.data());
+  for (std::size_t l = 0; l < lights_.size(); ++l) {
+    const Light& light = lights_[l];
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       const auto at = static_cast<std::size_t>(inputs_[i]);
       inputs[i] = at < 3 ? normal_[at].data() : light.vectors[at - 3].data();
     }
     evaluator_->evaluate(inputs.data(), lanes, outputs.data());
+    // In the order of light_sum_netlist's ports.
+    parts.assign(1, light.intensity.data());
     for (std::size_t map = 0; map < sums.size(); ++map) {
-      const Lanes& result = results_[static_cast<std::size_t>(outputs_[map])];
-      for (std::size_t lane = 0; lane < count; ++lane) sums[map][lane] += light.intensity * result[lane];
+      parts.push_back(results_[static_cast<std::size_t>(outputs_[map])].data());
+      if (l > 0) parts.push_back(sums[map].data());
     }
+    Evaluator& sum = l == 0 ? *first_evaluator_ : *further_evaluator_;
+    sum.evaluate(parts.data(), lanes, totals.data());
   }
 }
 

@@ -28,6 +28,13 @@ struct DistantLight {
 /// The lights of a scene as seen from the centre of the box around `mesh`.
 std::vector<DistantLight> distant_lights(const ObjectSpace& space, const Mesh& mesh);
 
+/// What follows the design's netlist for each light: the maps' values times the light's intensity ("intensity"; only if `scaled`), and for
+/// every light but the first (`added`) the sum with what the lights before it gave ("<map>.sum"). One output per map, by its name. Floating
+/// point.
+Netlist light_sum_netlist(const LightMaps& maps, bool scaled, bool added);
+/// Whether a scene's lights need the multiplication.
+bool scales_lights(const std::vector<Light>& lights);
+
 /// The maps of one object. Words are signed integers as `quantise` gives them.
 struct LightMapWords {
   std::vector<std::vector<std::int32_t>> words;  ///< by map, by entry
@@ -49,11 +56,13 @@ class LightMapFill {
   /// One light's vectors over all lanes: L.x L.y L.z H.x H.y H.z.
   struct Light {
     std::array<Lanes, 6> vectors{};
-    double intensity = 1;
+    Lanes intensity{};
   };
 
   const LightMaps& maps_;
   std::unique_ptr<Evaluator> evaluator_;
+  Netlist first_, further_;  ///< light_sum_netlist of the first light and of those after it
+  std::unique_ptr<Evaluator> first_evaluator_, further_evaluator_;
   std::vector<int> inputs_;   ///< for each input of the netlist its vector component, N before L before H
   std::vector<int> outputs_;  ///< for each map its output of the netlist
   std::array<Lanes, 3> normal_{};

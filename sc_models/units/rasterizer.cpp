@@ -1,8 +1,10 @@
 #include "units/rasterizer.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "datapath/invariant.h"
+#include "units/raster_lanes.h"
 
 namespace bump {
 
@@ -13,6 +15,9 @@ constexpr std::size_t many_records = 4 * block_lanes;
 
 constexpr std::uint8_t first_port = 1, nothing = 0;
 
+/// Edge functions below this are whole numbers that doubles hold, and so are their differences within a triangle.
+constexpr std::int64_t most_exact = std::int64_t{1} << 51;
+
 }  // namespace
 
 void RasterizerConfig::declare(Parameters& p) {
@@ -20,7 +25,7 @@ void RasterizerConfig::declare(Parameters& p) {
   p.integer("rasterizer.tile", 8, 1, 256, "pixels", "side of a tile in tiled order");
   p.integer("rasterizer.subpixel_bits", 8, 1, 12, "bits", "fraction bits of screen coordinates");
   p.boolean("rasterizer.early_z", true, "test depth in front of shading; otherwise the frame sink tests it");
-  p.integer("rasterizer.latency", 4, 1, 4096, "cycles", "from a raster triangle to its first fragment");
+  p.integer("rasterizer.latency", 4, 1, 4096, "cycles", "from a raster triangle to its first fragment").timing_only = true;
 }
 
 RasterizerConfig::RasterizerConfig(const Configuration& c)
@@ -53,8 +58,8 @@ void Rasterizer::process(const TriangleBlock& triangles) {
   object_ = triangles.object;
   if (!block_) start_block();
   block_->object = object_;
-  block_->vertex_records.insert(block_->vertex_records.end(), triangles.vertex_records.begin(), triangles.vertex_records.end());
-  block_->setup_records.insert(block_->setup_records.end(), triangles.setup_records.begin(), triangles.setup_records.end());
+  block_->vertex_records.append(triangles.vertex_records);
+  block_->setup_records.append(triangles.setup_records);
   for (int i = 0; i < triangles.triangles; ++i) {
     token_fragments_ = 0;
     hidden_ = 0;
@@ -105,57 +110,92 @@ void Rasterizer::walk(const std::shared_ptr<const SetupTriangle>& piece) {
 
 void Rasterizer::row(const EdgeFunctions& edges, const PixelSpan& span, int y) {
   if (span.first > span.last) return;
-  const double scale = 1 / static_cast<double>(edges.area());
-  const std::array<double, 3> depth = piece_->depth;
-  std::int64_t edge1 = edges.at(1, span.first, y), edge2 = edges.at(2, span.first, y);
-  double* stored = &depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(context_->scene->width)];
   counters_.fragments_generated += span.last - span.first + 1;
-  for (int x = span.first; x <= span.last; ++x) {
-    const double weight1 = static_cast<double>(edge1) * scale, weight2 = static_cast<double>(edge2) * scale;
-    const double z = depth[0] + weight1 * (depth[1] - depth[0]) + weight2 * (depth[2] - depth[0]);
-    edge1 += edges.across(1);
-    edge2 += edges.across(2);
-    if (config_.early_z) {
-      if (!(z < stored[x])) {
-        ++hidden_;
-        continue;
-      }
-      stored[x] = z;
+  for (int first = span.first; first <= span.last; first += block_lanes)
+    visit(edges, first, std::min(span.last - first + 1, block_lanes), y);
+}
+
+void Rasterizer::visit(const EdgeFunctions& edges, int first, int count, int y) {
+  const double scale = 1 / static_cast<double>(edges.area());
+  const std::array<double, 3>& depth = piece_->depth;
+  const std::int64_t edge1 = edges.at(1, first, y), edge2 = edges.at(2, first, y);
+  double* stored =
+      &depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(context_->scene->width) + static_cast<std::size_t>(first)];
+  const double depth1 = depth[1] - depth[0], depth2 = depth[2] - depth[0];
+  const auto n = static_cast<std::size_t>(count);
+  int visible = 0;
+  if (edges.area() < most_exact) {
+    visible = weigh_row({static_cast<double>(edge1), static_cast<double>(edge2), static_cast<double>(edges.across(1)),
+                         static_cast<double>(edges.across(2)), scale, depth[0], depth1, depth2},
+                        count, stored, weight1_.data(), weight2_.data(), new_depth_.data());
+  } else {
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto steps = static_cast<std::int64_t>(i);
+      weight1_[i] = static_cast<double>(edge1 + steps * edges.across(1)) * scale;
+      weight2_[i] = static_cast<double>(edge2 + steps * edges.across(2)) * scale;
+      new_depth_[i] = depth[0] + weight1_[i] * depth1 + weight2_[i] * depth2;
+      visible += new_depth_[i] < stored[i] ? 1 : 0;
     }
-    add_fragment(x, y, z, weight1, weight2);
+  }
+  if (!config_.early_z) return add_fragments(first, y, 0, n);
+  if (visible == count) {
+    std::copy_n(new_depth_.begin(), n, stored);
+    return add_fragments(first, y, 0, n);
+  }
+  if (visible == 0) {
+    hidden_ += static_cast<std::uint32_t>(count);
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(new_depth_[i] < stored[i])) {
+      ++hidden_;
+      continue;
+    }
+    stored[i] = new_depth_[i];
+    add_fragments(first, y, i, i + 1);
   }
 }
 
-void Rasterizer::add_fragment(int x, int y, double depth, double weight1, double weight2) {
-  // A full block waits for the next fragment: only then is it known whether its last one ends its triangle.
-  if (block_->lanes == block_lanes) {
-    hand_over();
-    start_block();
+void Rasterizer::add_fragments(int first_x, int y, std::size_t begin, std::size_t end) {
+  while (begin < end) {
+    // A full block waits for the next fragment: only then is it known whether its last one ends its triangle.
+    if (block_->lanes == block_lanes) {
+      hand_over();
+      start_block();
+    }
+    FragmentBlock& block = *block_;
+    const auto lane = static_cast<std::size_t>(block.lanes);
+    const std::size_t count = std::min(end - begin, block_lanes - lane);
+    std::iota(&block.x[lane], &block.x[lane] + count, first_x + static_cast<int>(begin));
+    std::fill_n(&block.y[lane], count, y);
+    std::fill_n(&block.triangle[lane], count, static_cast<std::int32_t>(block.triangles.size()) - 1);
+    std::copy_n(&new_depth_[begin], count, &block.depth[lane]);
+    std::copy_n(&weight1_[begin], count, &block.weight1[lane]);
+    std::copy_n(&weight2_[begin], count, &block.weight2[lane]);
+    block.lanes += static_cast<int>(count);
+    TokenRecord record;
+    record.interval = 1 + hidden_;
+    record.lead = hidden_;
+    record.take = first_port;
+    record.release = nothing;
+    record.give = first_port;
+    block.raster_records.push_back(record);
+    record.interval = 1;
+    record.lead = 0;
+    block.raster_records.append(record, static_cast<std::int64_t>(count) - 1);
+    counters_.fragments_hidden += hidden_;
+    hidden_ = 0;
+    token_fragments_ += static_cast<std::int64_t>(count);
+    begin += count;
   }
-  const auto lane = static_cast<std::size_t>(block_->lanes++);
-  block_->x[lane] = x;
-  block_->y[lane] = y;
-  block_->depth[lane] = depth;
-  block_->triangle[lane] = static_cast<std::int32_t>(block_->triangles.size()) - 1;
-  block_->weight1[lane] = weight1;
-  block_->weight2[lane] = weight2;
-  TokenRecord record;
-  record.interval = 1 + hidden_;
-  record.lead = hidden_;
-  record.take = first_port;
-  record.release = nothing;
-  record.give = first_port;
-  block_->raster_records.push_back(record);
-  counters_.fragments_hidden += hidden_;
-  hidden_ = 0;
-  ++token_fragments_;
 }
 
 void Rasterizer::end_triangle() {
   if (token_fragments_ > 0) {
-    TokenRecord& record = block_->raster_records.back();
+    TokenRecord record = block_->raster_records.back();
     record.release = first_port;
     record.interval += hidden_;
+    block_->raster_records.replace_back(record);
   } else {
     TokenRecord record;
     record.interval = std::max<std::uint32_t>(1, hidden_);
@@ -183,31 +223,26 @@ void Rasterizer::interpolate_run() {
   const SetupTriangle& t = *piece_;
   const EdgeFunctions& edges = *edges_;
   const double scale = 1 / static_cast<double>(edges.area());
-  const double b1x = static_cast<double>(edges.across(1)) * scale, b2x = static_cast<double>(edges.across(2)) * scale;
-  const double b1y = static_cast<double>(edges.down(1)) * scale, b2y = static_cast<double>(edges.down(2)) * scale;
-  const double q0 = t.inverse_w[0], q1 = t.inverse_w[1], q2 = t.inverse_w[2];
-  const double dqx = b1x * (q1 - q0) + b2x * (q2 - q0), dqy = b1y * (q1 - q0) + b2y * (q2 - q0);
+  Perspective perspective;
+  perspective.b1x = static_cast<double>(edges.across(1)) * scale;
+  perspective.b2x = static_cast<double>(edges.across(2)) * scale;
+  perspective.b1y = static_cast<double>(edges.down(1)) * scale;
+  perspective.b2y = static_cast<double>(edges.down(2)) * scale;
+  perspective.q0 = t.inverse_w[0];
+  perspective.q1 = t.inverse_w[1];
+  perspective.q2 = t.inverse_w[2];
   const std::size_t stride = t.attributes.size() / 3;
   const double u0 = t.attributes[0], v0 = t.attributes[1];
-  const double u1 = t.attributes[stride] - u0, v1 = t.attributes[stride + 1] - v0;
-  const double u2 = t.attributes[2 * stride] - u0, v2 = t.attributes[2 * stride + 1] - v0;
+  perspective.u0 = u0;
+  perspective.v0 = v0;
+  perspective.u1 = t.attributes[stride] - u0;
+  perspective.v1 = t.attributes[stride + 1] - v0;
+  perspective.u2 = t.attributes[2 * stride] - u0;
+  perspective.v2 = t.attributes[2 * stride + 1] - v0;
   FragmentBlock& block = *block_;
-  for (auto lane = static_cast<std::size_t>(run_begin_); lane < static_cast<std::size_t>(end); ++lane) {
-    const double b1 = block.weight1[lane], b2 = block.weight2[lane];
-    const double w = 1 / (q0 + b1 * (q1 - q0) + b2 * (q2 - q0));
-    const double w1 = b1 * q1 * w, w2 = b2 * q2 * w;
-    // Quotient rule: the weights are b_i q_i over the interpolated 1 / w.
-    const double w1x = (b1x * q1 - w1 * dqx) * w, w2x = (b2x * q2 - w2 * dqx) * w;
-    const double w1y = (b1y * q1 - w1 * dqy) * w, w2y = (b2y * q2 - w2 * dqy) * w;
-    block.weight1[lane] = w1;
-    block.weight2[lane] = w2;
-    block.u[lane] = u0 + w1 * u1 + w2 * u2;
-    block.v[lane] = v0 + w1 * v1 + w2 * v2;
-    block.dudx[lane] = w1x * u1 + w2x * u2;
-    block.dvdx[lane] = w1x * v1 + w2x * v2;
-    block.dudy[lane] = w1y * u1 + w2y * u2;
-    block.dvdy[lane] = w1y * v1 + w2y * v2;
-  }
+  const auto first = static_cast<std::size_t>(run_begin_);
+  interpolate_lanes(perspective, end - run_begin_, &block.weight1[first], &block.weight2[first], &block.u[first], &block.v[first],
+                    &block.dudx[first], &block.dvdx[first], &block.dudy[first], &block.dvdy[first]);
   run_begin_ = end;
 }
 

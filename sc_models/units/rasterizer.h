@@ -49,7 +49,10 @@ class Rasterizer {
  private:
   void walk(const std::shared_ptr<const SetupTriangle>& piece);
   void row(const EdgeFunctions& edges, const PixelSpan& span, int y);
-  void add_fragment(int x, int y, double depth, double weight1, double weight2);
+  /// At most block_lanes neighbours from pixel `first` on.
+  void visit(const EdgeFunctions& edges, int first, int count, int y);
+  /// Those at [begin, end) of weight1_, weight2_ and new_depth_, which belong to the pixels from `first_x` on.
+  void add_fragments(int first_x, int y, std::size_t begin, std::size_t end);
   void interpolate_run();
   void start_block();
   void hand_over();
@@ -61,6 +64,8 @@ class Rasterizer {
   Emit emit_;
   GeometryCounters counters_;
   std::vector<double> depth_;  ///< the z buffer, row 0 on top
+
+  Lanes weight1_{}, weight2_{}, new_depth_{};  ///< of the pixels being visited
 
   std::unique_ptr<FragmentBlock> block_;
   std::shared_ptr<const SetupTriangle> piece_;  ///< being walked

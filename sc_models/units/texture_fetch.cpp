@@ -1,11 +1,10 @@
 #include "units/texture_fetch.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 
 #include "datapath/invariant.h"
+#include "datapath/lane_clones.h"
 #include "units/bump_map.h"
 
 namespace bump {
@@ -25,22 +24,28 @@ void refuse_other_space(const BumpEncoding& encoding, const PipelineContext& con
                  "vertex_processor.space=object, or a bump map in tangent space"});
 }
 
+/// Marks lanes that read another line than the lane before.
+BUMP_LANE_LOOP void mark_changes(const std::uint32_t* __restrict line, int lanes, std::uint32_t* __restrict changed) {
+  for (int i = 1; i < lanes; ++i) changed[i] |= line[i] ^ line[i - 1];
+}
+
 }  // namespace
 
 void TextureFetchConfig::declare(Parameters& p) {
   p.choice("texture_fetch.filter", "bilinear", {"nearest", "bilinear", "trilinear"},
            "filter of colour texels, and of bump maps that may be filtered");
   p.integer("texture_fetch.footprints_per_cycle", 2, 1, 64, "footprints", "2 x 2 texel footprints that the cache serves each cycle");
-  p.integer("texture_fetch.latency", 6, 1, 4096, "cycles", "look-up and filter of a fragment whose texels are in the cache");
-  p.integer("texture_fetch.capacity", 64, 1, 1 << 20, "tokens", "fragments in flight, waiting for memory or done");
-  p.integer("texture_fetch.batch", 1, 1, 4096, "tokens", "fragments gathered before the first of them is looked up");
+  p.integer("texture_fetch.latency", 6, 1, 4096, "cycles", "look-up and filter of a fragment whose texels are in the cache").timing_only =
+      true;
+  p.integer("texture_fetch.capacity", 64, 1, 1 << 20, "tokens", "fragments in flight, waiting for memory or done").timing_only = true;
+  p.integer("texture_fetch.batch", 1, 1, 4096, "tokens", "fragments gathered before the first of them is looked up").timing_only = true;
   p.integer("texture_fetch.cache.sets", 32, 1, 1 << 20, "sets", "texture cache: sets, a power of two");
   p.integer("texture_fetch.cache.ways", 4, 1, 1024, "lines", "texture cache: lines of a set, replaced least recently used first");
   p.integer("texture_fetch.cache.line_bytes", 64, 1, 4096, "bytes", "texture cache: bytes of a line, a power of two");
-  p.integer("memory.tag_latency", 1, 1, 4096, "cycles", "from the start of a look-up to its request to memory");
-  p.integer("memory.latency", 40, 1, 1 << 20, "cycles", "from the grant of a line to its arrival");
-  p.integer("memory.cycles_per_line", 4, 1, 1 << 20, "cycles", "bus occupation of a line");
-  p.integer("memory.outstanding", 8, 1, 4096, "lines", "misses in flight");
+  p.integer("memory.tag_latency", 1, 1, 4096, "cycles", "from the start of a look-up to its request to memory").timing_only = true;
+  p.integer("memory.latency", 40, 1, 1 << 20, "cycles", "from the grant of a line to its arrival").timing_only = true;
+  p.integer("memory.cycles_per_line", 4, 1, 1 << 20, "cycles", "bus occupation of a line").timing_only = true;
+  p.integer("memory.outstanding", 8, 1, 4096, "lines", "misses in flight").timing_only = true;
 }
 
 TextureFetchConfig::TextureFetchConfig(const Configuration& c)
@@ -105,92 +110,100 @@ int TextureFetch::place(std::shared_ptr<const Texture> hardware, std::shared_ptr
   BUMP_ASSERT(!hardware->levels.empty());
   const std::uint64_t base = residents_.empty() ? 0 : residents_.back().layout.end();
   TextureLayout layout(*hardware, base, config_.cache.line_bytes);
+  if (!TapBlock::can_hold(*hardware, layout))
+    throw Error({"texture \"" + hardware->name + "\" of " + std::to_string(hardware->levels.front().width) + " x " +
+                     std::to_string(hardware->levels.front().height) + " texels",
+                 {},
+                 "the texture unit numbers texels in 32 bits",
+                 "a smaller texture"});
   residents_.push_back({std::move(hardware), std::move(exact), std::move(layout)});
   return static_cast<int>(residents_.size()) - 1;
 }
 
-void TextureFetch::look_up(std::uint64_t address) {
-  const std::uint64_t line = cache_.line_of(address);
-  for (std::size_t i = line_count_; i-- > 0;)
-    if (lines_[i] == line) return;
-  lines_[line_count_++] = line;
-  ++counters_.accesses;
-  if (cache_.access(address)) {
-    ++counters_.hits;
+void TextureFetch::fetch(const Resident& texture, const AccessLanes& at, FragmentBlock& block, int plane, TapBlock& taps) {
+  const auto first = static_cast<std::size_t>(plane);
+  taps.find(*texture.hardware, texture.layout, cache_.line_shift(), config_.filter, at, block.lanes);
+  taps.weigh(*texture.hardware, block.lanes, &block.hardware[first]);
+  if (texture.exact) taps.weigh(*texture.exact, block.lanes, &block.exact[first]);
+  if (taps.is_uniform()) {
+    counters_.reads += static_cast<std::int64_t>(taps.taps()) * block.lanes;
   } else {
-    ++counters_.misses;
-    ++misses_;
-    counters_.bytes += config_.cache.line_bytes;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(block.lanes); ++lane) counters_.reads += taps.taps_of(lane);
   }
 }
 
-void TextureFetch::fetch_footprint(const Resident& texture, const BilinearFootprint& f, FragmentBlock& block, std::size_t lane, int plane) {
-  counters_.reads += 4;
-  ++footprints_;
-  const auto same_tile = [](int a, int b) {
-    return static_cast<unsigned>(a) / TextureLayout::tile == static_cast<unsigned>(b) / TextureLayout::tile;
-  };
-  look_up(texture.layout.address(0, f.x0, f.y0));
-  if (!(texture.layout.tile_in_line() && same_tile(f.x0, f.x1) && same_tile(f.y0, f.y1))) {
-    look_up(texture.layout.address(0, f.x1, f.y0));
-    look_up(texture.layout.address(0, f.x0, f.y1));
-    look_up(texture.layout.address(0, f.x1, f.y1));
+AccessLanes TextureFetch::scaled(const ObjectTextures& textures, const AccessLanes& at, int lanes) {
+  const glm::dvec2 &origin = textures.map_origin, &scale = textures.map_scale;
+  if (origin == glm::dvec2(0) && scale == glm::dvec2(1)) return at;  // as it is for maps that were not made for one surface
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lanes); ++i) {
+    scaled_[0][i] = (at.u[i] - origin.x) * scale.x;
+    scaled_[1][i] = (at.v[i] - origin.y) * scale.y;
+    scaled_[2][i] = at.dudx[i] * scale.x;
+    scaled_[3][i] = at.dvdx[i] * scale.y;
+    scaled_[4][i] = at.dudy[i] * scale.x;
+    scaled_[5][i] = at.dvdy[i] * scale.y;
   }
-  const auto store_in = [&](std::vector<Lanes>& planes) {
-    return [&planes, lane, plane](std::size_t channel, double value) { planes[static_cast<std::size_t>(plane) + channel][lane] = value; };
-  };
-  filter_footprint(*texture.hardware, texture.hardware->levels.front(), f, store_in(block.hardware));
-  if (texture.exact) filter_footprint(*texture.exact, texture.exact->levels.front(), f, store_in(block.exact));
+  return {scaled_[0].data(), scaled_[1].data(), scaled_[2].data(), scaled_[3].data(), scaled_[4].data(), scaled_[5].data()};
 }
 
-void TextureFetch::fetch(const Resident& texture, const Access& access, FragmentBlock& block, std::size_t lane, int plane) {
-  const Texture& hardware = *texture.hardware;
-  const double u = access.u, v = access.v;
-  // The bilinear filter reads level 0 only (memory/level_of_detail.h): nearly all fetches of nearly all runs.
-  BilinearFootprint footprint;
-  if (config_.filter == Filter::bilinear && hardware.filterable && find_footprint(hardware, hardware.levels.front(), u, v, footprint)) {
-    fetch_footprint(texture, footprint, block, lane, plane);
-    return;
+std::size_t TextureFetch::look_up(const Resident& texture, const TapBlock& taps, std::size_t lane, int& misses) {
+  const std::uint64_t first = cache_.line_of(texture.layout.start(0));
+  std::array<std::uint32_t, TapBlock::most_taps> seen;  // textures do not share lines
+  std::size_t count = 0;
+  for (std::size_t tap = 0; tap < taps.taps(); ++tap) {
+    const std::uint32_t line = taps.line(tap)[lane];
+    if (count > 0 && seen[count - 1] == line) continue;  // mostly so
+    bool is_known = false;
+    for (std::size_t i = 0; i < count; ++i) is_known = is_known || seen[i] == line;
+    if (is_known) continue;
+    seen[count++] = line;
+    if (!cache_.access_line(first + line)) ++misses;
   }
-  TexelTap taps[8];
-  const int count = texel_taps(hardware, config_.filter, u, v, lod_of_access(hardware, config_.filter, access.derivatives), taps);
-  counters_.reads += count;
-  for (int i = 0; i < count; ++i) {
-    if (i == 0 || taps[i].level != taps[i - 1].level) ++footprints_;
-    look_up(texture.layout.address(taps[i].level, taps[i].x, taps[i].y));
+  return count;
+}
+
+void TextureFetch::look_up(const std::array<const Resident*, 2>& textures, FragmentBlock& block) {
+  const auto lanes = static_cast<std::size_t>(block.lanes);
+  changed_.fill(0);
+  for (std::size_t t = 0; t < 2 && textures[t] != nullptr; ++t) {
+    for (std::size_t tap = 0; tap < taps_[t].taps(); ++tap) mark_changes(taps_[t].line(tap).data(), block.lanes, changed_.data());
+    if (taps_[t].is_uniform()) continue;
+    for (std::size_t lane = 1; lane < lanes; ++lane) changed_[lane] |= taps_[t].taps_of(lane) != taps_[t].taps_of(lane - 1) ? 1U : 0U;
   }
-  const auto store = [&](const Texture& from, std::vector<Lanes>& planes) {
-    filter_texels(from, taps, count, texel_.data());
-    for (std::size_t c = 0; c < static_cast<std::size_t>(from.channels); ++c) planes[static_cast<std::size_t>(plane) + c][lane] = texel_[c];
-  };
-  store(hardware, block.hardware);
-  if (texture.exact) store(*texture.exact, block.exact);
+  for (std::size_t lane = 0; lane < lanes;) {
+    int footprints = 0, misses = 0;  // a footprint a level
+    std::size_t lines = 0;
+    for (std::size_t t = 0; t < 2 && textures[t] != nullptr; ++t) {
+      lines += look_up(*textures[t], taps_[t], lane, misses);
+      footprints += taps_[t].taps_of(lane) > 4 ? 2 : 1;
+    }
+    TokenRecord record;
+    record.interval = static_cast<std::uint32_t>((footprints + config_.footprints_per_cycle - 1) / config_.footprints_per_cycle);
+    record.misses = static_cast<std::uint16_t>(misses);
+    block.texture_records.push_back(record);
+    // A fragment that reads the same lines as the one before finds them all, and leaves them in the same order of use, if no set can have
+    // lost one of them on the way.
+    const std::size_t begin = ++lane;
+    if (lines <= static_cast<std::size_t>(config_.cache.ways))
+      while (lane < lanes && changed_[lane] == 0) ++lane;
+    const auto alike = static_cast<std::int64_t>(lane - begin);
+    record.misses = 0;
+    block.texture_records.append(record, alike);
+    counters_.accesses += static_cast<std::int64_t>(lines) * (1 + alike);
+    counters_.hits += static_cast<std::int64_t>(lines) * (1 + alike) - misses;
+    counters_.misses += misses;
+    counters_.bytes += static_cast<std::int64_t>(misses) * config_.cache.line_bytes;
+  }
 }
 
 void TextureFetch::process(FragmentBlock& block) {
   const ObjectTextures& textures = objects_[static_cast<std::size_t>(block.object)];
   const Resident& colour = residents_[static_cast<std::size_t>(textures.colour)];
   const Resident* map = has_map_ ? &residents_[static_cast<std::size_t>(textures.map)] : nullptr;
-  texel_.resize(static_cast<std::size_t>(std::max(colour.hardware->channels, map ? map->hardware->channels : 0)));
-  for (std::size_t lane = 0; lane < static_cast<std::size_t>(block.lanes); ++lane) {
-    line_count_ = 0;
-    footprints_ = misses_ = 0;
-    const Access access{block.u[lane], block.v[lane], {block.dudx[lane], block.dvdx[lane], block.dudy[lane], block.dvdy[lane]}};
-    fetch(colour, access, block, lane, colour_plane_);
-    if (map) {
-      // Offset and scale are 0 and 1, and change no bit, unless the map was made for this surface.
-      const glm::dvec2 &origin = textures.map_origin, &scale = textures.map_scale;
-      const TextureDerivatives& d = access.derivatives;
-      const Access scaled{(access.u - origin.x) * scale.x,
-                          (access.v - origin.y) * scale.y,
-                          {d.dudx * scale.x, d.dvdx * scale.y, d.dudy * scale.x, d.dvdy * scale.y}};
-      fetch(*map, scaled, block, lane, map_plane_);
-    }
-    TokenRecord record;
-    record.interval = static_cast<std::uint32_t>((footprints_ + config_.footprints_per_cycle - 1) / config_.footprints_per_cycle);
-    record.misses = static_cast<std::uint16_t>(misses_);
-    block.texture_records.push_back(record);
-  }
+  const AccessLanes at{block.u.data(), block.v.data(), block.dudx.data(), block.dvdx.data(), block.dudy.data(), block.dvdy.data()};
+  fetch(colour, at, block, colour_plane_, taps_[0]);
+  if (map) fetch(*map, scaled(textures, at, block.lanes), block, map_plane_, taps_[1]);
+  look_up({&colour, map}, block);
 }
 
 }  // namespace bump

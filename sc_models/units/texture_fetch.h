@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "channels/parameters.h"
-#include "memory/level_of_detail.h"
 #include "memory/texture_cache.h"
-#include "units/bilinear_footprint.h"
 #include "units/counters.h"
 #include "units/pipeline_context.h"
+#include "units/tap_block.h"
 #include "units/texture_layout.h"
 
 namespace bump {
@@ -53,32 +52,29 @@ class TextureFetch {
     glm::dvec2 map_origin{0}, map_scale{1};  ///< coordinates of the bump map: (uv - origin) * scale, where a map spans several repeats
   };
 
-  /// Where a texture is read.
-  struct Access {
-    double u, v;
-    TextureDerivatives derivatives;
-  };
-
   int place(std::shared_ptr<const Texture> hardware, std::shared_ptr<const Texture> exact);
   /// Encodes normals and places the map.
   int place_map(const Texture& normals, const BumpEncoding& encoding);
-  /// Texels of one texture for one fragment, into the planes from `plane` on.
-  void fetch(const Resident& texture, const Access& access, FragmentBlock& block, std::size_t lane, int plane);
-  void fetch_footprint(const Resident& texture, const BilinearFootprint& footprint, FragmentBlock& block, std::size_t lane, int plane);
-  void look_up(std::uint64_t address);
+  /// Texels of one texture for all fragments of a block, into the planes from `plane` on; the taps stay for look_up().
+  void fetch(const Resident& texture, const AccessLanes& at, FragmentBlock& block, int plane, TapBlock& taps);
+  /// Where the bump map of one surface is read.
+  AccessLanes scaled(const ObjectTextures& textures, const AccessLanes& at, int lanes);
+  /// Looks the lines of a fragment up, in the order of its taps. Returns how many there are; adds its misses to `misses`.
+  std::size_t look_up(const Resident& texture, const TapBlock& taps, std::size_t lane, int& misses);
+  /// Looks the lines of all fragments up and leaves their records.
+  void look_up(const std::array<const Resident*, 2>& textures, FragmentBlock& block);
 
   std::shared_ptr<const PipelineContext> context_;
   TextureFetchConfig config_;
   TextureCache cache_;
   TextureCounters counters_;
   std::vector<Resident> residents_;
-  std::vector<ObjectTextures> objects_;    ///< one per scene object
-  int colour_plane_ = 0, map_plane_ = 0;   ///< first of the texel planes
-  bool has_map_ = true;                    ///< false: the scheme reads no bump map
-  std::array<std::uint64_t, 16> lines_{};  ///< distinct lines of the fragment so far: two textures, eight texels each
-  std::size_t line_count_ = 0;
-  std::vector<double> texel_;        ///< channels of one texture, for the general way
-  int footprints_ = 0, misses_ = 0;  ///< of the fragment so far
+  std::vector<ObjectTextures> objects_;   ///< one per scene object
+  int colour_plane_ = 0, map_plane_ = 0;  ///< first of the texel planes
+  bool has_map_ = true;                   ///< false: the scheme reads no bump map
+  std::array<TapBlock, 2> taps_;          ///< of colour and bump map
+  std::array<Lanes, 6> scaled_{};         ///< coordinates and derivatives of a map that spans several repeats
+  TapBlock::Lines changed_{};             ///< not 0 where a fragment reads other lines than the one before
 };
 
 }  // namespace bump

@@ -3,9 +3,7 @@
 namespace bump {
 
 TextureLayout::TextureLayout(const Texture& texture, std::uint64_t base, int line_bytes)
-    : bytes_per_texel_(static_cast<std::uint64_t>(texture.bytes_per_texel)),
-      end_(base),
-      tile_in_line_(static_cast<unsigned>(line_bytes) % (tile * tile * static_cast<unsigned>(texture.bytes_per_texel)) == 0) {
+    : bytes_per_texel_(static_cast<std::uint64_t>(texture.bytes_per_texel)), end_(base) {
   const auto line = static_cast<std::uint64_t>(line_bytes);
   for (const TextureLevel& level : texture.levels) {
     const unsigned across = (static_cast<unsigned>(level.width) + tile - 1) / tile,

@@ -24,8 +24,10 @@ class TextureLayout {
     const unsigned tile_index = (row / tile) * at.tiles_across + column / tile, inside = (row % tile) * tile + column % tile;
     return at.base + (std::uint64_t{tile_index} * tile * tile + inside) * bytes_per_texel_;
   }
-  /// Whether all texels of a tile lie in one line.
-  bool tile_in_line() const { return tile_in_line_; }
+  /// First byte of a level: on a line boundary.
+  std::uint64_t start(int level) const { return levels_[static_cast<std::size_t>(level)].base; }
+  /// Tiles in a row of tiles.
+  unsigned tiles_across(int level) const { return levels_[static_cast<std::size_t>(level)].tiles_across; }
   /// First byte behind the texture.
   std::uint64_t end() const { return end_; }
 
@@ -36,7 +38,6 @@ class TextureLayout {
   };
   std::vector<Level> levels_;
   std::uint64_t bytes_per_texel_ = 0, end_ = 0;
-  bool tile_in_line_ = false;
 };
 
 }  // namespace bump

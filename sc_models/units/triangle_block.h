@@ -9,7 +9,6 @@
 #include <memory>
 #include <vector>
 
-#include "channels/timing_graph.h"
 #include "units/fragment_block.h"
 
 namespace bump {
@@ -25,7 +24,7 @@ struct TriangleBlock {
   std::vector<double> attributes;                       ///< 3 corners x stride a triangle
   std::vector<std::shared_ptr<const SetupTriangle>> pieces;  ///< raster triangles, in order of their mesh triangle
   std::array<int, block_triangles + 1> first_piece{};        ///< pieces of triangle i: [first_piece[i], first_piece[i + 1])
-  std::vector<TokenRecord> vertex_records, setup_records;
+  TokenRecords vertex_records, setup_records;
 
   /// Makes room for `count` triangles of `object` with `stride` attributes a corner; nothing is filled in.
   void resize(int object_index, int count, int attribute_stride);

@@ -26,7 +26,7 @@ bool any_outside(const ClipPolygon& polygon, const ClipPlane& plane) {
 }  // namespace
 
 void TriangleSetupConfig::declare(Parameters& p) {
-  p.integer("triangle_setup.latency", 8, 1, 4096, "cycles", "from transformed corners to the raster triangle");
+  p.integer("triangle_setup.latency", 8, 1, 4096, "cycles", "from transformed corners to the raster triangle").timing_only = true;
   p.integer("triangle_setup.interval", 4, 1, 4096, "cycles", "a raster triangle: three edge equations and the reciprocal of the area");
   p.choice("triangle_setup.cull", "back", {"back", "none"}, "which triangles are dropped by their facing");
   p.integer("triangle_setup.guard_band", 8192, 0, 32768, "pixels", "around the frame, within which triangles are not clipped");

@@ -69,7 +69,7 @@ void VertexProcessorConfig::declare(Parameters& p) {
       "vertex_processor.space", "object", {"object", "eye"},
       "axes of the vectors that are shaded: the object's own, or the camera's (z towards the viewer), for some operations more a vertex; "
       "where the pole of schemes on polar angles is");
-  p.integer("vertex_processor.latency", 8, 1, 4096, "cycles", "from the last operation of a triangle to its delivery");
+  p.integer("vertex_processor.latency", 8, 1, 4096, "cycles", "from the last operation of a triangle to its delivery").timing_only = true;
 }
 
 VertexProcessorConfig::VertexProcessorConfig(const Configuration& c)

@@ -95,13 +95,24 @@ void add_new(std::vector<std::string>& to, const Json& warnings) {
     if (std::find(to.begin(), to.end(), warning.get<std::string>()) == to.end()) to.push_back(warning);
 }
 
+/// The place of a scheme without a result.
+SmallFrame nothing_drawn(const SmallFrame& like) {
+  return {like.width, like.height, std::vector<std::uint8_t>(like.colour.size(), 0)};
+}
+
+/// Errors of a process that died name its task; here the row does.
+Error without_name(const Error& error, const std::string& id) {
+  ErrorText text = error.text();
+  if (text.what.rfind(id + ": ", 0) == 0) text.what.erase(0, id.size() + 2);
+  return Error(error.kind(), text);
+}
+
 std::vector<std::string> label_of(const ComparisonRow& row) {
+  if (row.error) return {marked_id(*row.page), "failed"};
   const Json& quality = row.result["quality"]["against_reference"];
   const Json& psnr = quality["psnr_db"];
   const bool identical = psnr.is_null() && quality["pixels"] > 0;
-  return {row.page->id + (is_reconstruction(*row.page) ? " (R)" : ""), psnr.is_number() ? fmt::format("{:.1f} dB", psnr.get<double>())
-                                                                       : identical      ? "identical"
-                                                                                        : "-"};
+  return {marked_id(*row.page), psnr.is_number() ? fmt::format("{:.1f} dB", psnr.get<double>()) : identical ? "identical" : "-"};
 }
 
 }  // namespace
@@ -142,6 +153,7 @@ Comparison compare(const Scene& scene, const std::vector<const Scheme*>& schemes
   std::vector<ChildOutcome> outcomes = run_in_children(tasks, child_options);
 
   Comparison comparison;
+  for (const Scheme* scheme : schemes) add_new(comparison.warnings, warnings_of(scene, scheme->page(), configuration));
   comparison.scene = &scene;
   comparison.configuration = &configuration;
   comparison.engine = options.engine;
@@ -149,7 +161,7 @@ Comparison compare(const Scene& scene, const std::vector<const Scheme*>& schemes
   for (std::size_t i = 0; i < schemes.size(); ++i) {
     ComparisonRow row;
     row.page = &schemes[i]->page();
-    row.error = std::move(outcomes[i].error);
+    if (outcomes[i].error) row.error = without_name(*outcomes[i].error, row.page->id);
     if (!row.error) {
       Json document = unpack(outcomes[i].bytes, row.frame);
       if (options.picture) {
@@ -168,6 +180,10 @@ bool is_reconstruction(const SchemePage& page) {
   return !page.reconstructed.empty();
 }
 
+std::string marked_id(const SchemePage& page) {
+  return page.id + (is_reconstruction(page) ? " (R)" : "");
+}
+
 const ComparisonRow* worst_failure(const Comparison& comparison) {
   const ComparisonRow* worst = nullptr;
   for (const ComparisonRow& row : comparison.rows)
@@ -182,8 +198,7 @@ bool is_void(const Comparison& comparison) {
 FrameBuffer picture_of(const Comparison& comparison) {
   std::vector<LabelledFrame> frames = {{{"reference"}, comparison.reference}};
   for (const ComparisonRow& row : comparison.rows)
-    if (!row.error) frames.push_back({label_of(row), row.frame});
-  // As wide and as high as with every scheme: the frames were shrunk for that.
+    frames.push_back({label_of(row), row.error ? nothing_drawn(comparison.reference) : row.frame});
   const PictureGrid grid(comparison.scene->width, comparison.scene->height, static_cast<int>(comparison.rows.size()) + 1);
   return side_by_side(grid, frames);
 }

@@ -33,7 +33,7 @@ struct Comparison {
   const Configuration* configuration = nullptr;
   std::string engine;
   std::vector<ComparisonRow> rows;
-  std::vector<std::string> warnings;  ///< what only a simulation shows, each once
+  std::vector<std::string> warnings;  ///< each once
   SmallFrame reference;               ///< shrunk as the rows' frames are; empty without a picture
 };
 
@@ -51,6 +51,9 @@ Comparison compare(const Scene& scene, const std::vector<const Scheme*>& schemes
 
 /// True if the scheme is, in whole or in part, a reconstruction.
 bool is_reconstruction(const SchemePage& page);
+
+/// The id, with " (R)" for a reconstruction.
+std::string marked_id(const SchemePage& page);
 
 /// The first row with the worst failure: internal before self-check, deadlock and input. Null if every scheme has its result.
 const ComparisonRow* worst_failure(const Comparison& comparison);

@@ -136,17 +136,20 @@ Json json_of(const ComparisonRow& row) {
 
 std::string comparison_text(const Comparison& comparison) {
   constexpr std::size_t columns = 110;
-  std::string text =
-      fmt::format("{}: {} schemes compared\n", comparison.scene->name, comparison.rows.size()) + std::string(columns, '-') + "\n";
+  std::string text = fmt::format("{}: {} {} compared\n", comparison.scene->name, comparison.rows.size(),
+                                 comparison.rows.size() == 1 ? "scheme" : "schemes") +
+                     std::string(columns, '-') + "\n";
   text += conditions_of(comparison) + "\n" + folded("configuration: " + settings_of(comparison), columns);
-  for (const ComparisonTable& table : comparison_tables(comparison)) text += text_of(table);
+  if (!is_void(comparison))
+    for (const ComparisonTable& table : comparison_tables(comparison)) text += text_of(table);
   return text + failures_of(comparison, "\nFailed\n", "  ", false);
 }
 
 std::string comparison_markdown(const Comparison& comparison) {
   std::string text = "# Schemes compared on " + escaped(comparison.scene->name) + "\n\n" + conditions_of(comparison) +
                      "; configuration: " + escaped(settings_of(comparison)) + "\n";
-  for (const ComparisonTable& table : comparison_tables(comparison)) text += markdown_of(table);
+  if (!is_void(comparison))
+    for (const ComparisonTable& table : comparison_tables(comparison)) text += markdown_of(table);
   return text + failures_of(comparison, "\n## Failed\n\n", "- ", true);
 }
 

@@ -65,24 +65,23 @@ Json over_light_maps(const Json& result, const std::string& name) {
   return sum(values);
 }
 
-/// Executed, all four kinds of arithmetic: a vertex program repeats a part of it for every further light.
-Json vertex_operations(const Json& result) {
+/// Operations of all kinds that a unit executed in the whole run, table reads included.
+Json operations_of(const Json& result, const std::string& unit) {
   std::vector<Json> used;
-  for (const char* operators : {"multipliers", "adders", "dividers", "square_roots"})
-    used.push_back(at(result, std::string("/operators/vertex/used_per_fragment/") + operators));
-  const Json in_all = ratio(sum(used), at(result, "/operators/vertex/executions"));
-  const Json fragments = at(result, "/fragments");
-  return in_all.is_null() || fragments.is_null() ? Json(nullptr) : Json(in_all.get<double>() * fragments.get<double>());
+  for (const std::string& operators : operator_names())
+    used.push_back(at(result, "/operators/" + unit + "/used_per_fragment/" + operators));
+  const Json per_fragment = sum(used), fragments = at(result, "/fragments");
+  return per_fragment.is_null() || fragments.is_null() ? Json(nullptr) : Json(per_fragment.get<double>() * fragments.get<double>());
 }
 
-/// What the frame's own netlist does before the first pixel: one execution for every entry and light.
+/// A vertex program repeats a part of it for every further light.
+Json vertex_operations(const Json& result) {
+  return ratio(operations_of(result, "vertex"), at(result, "/operators/vertex/executions"));
+}
+
+/// What fills the light maps before the first pixel.
 Json frame_operations(const Json& result) {
-  std::vector<Json> built;
-  for (const char* portion : {"built", "additional"})
-    for (const char* operators : {"multipliers", "adders", "dividers", "square_roots"})
-      built.push_back(at(result, std::string("/operators/frame/") + portion + "/" + operators));
-  const Json each = sum(built), executions = at(result, "/operators/frame/executions");
-  return each.is_null() || executions.is_null() ? Json(nullptr) : Json(each.get<double>() * executions.get<double>());
+  return operations_of(result, "frame");
 }
 
 Json psnr(const Json& quality) {

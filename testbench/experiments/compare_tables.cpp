@@ -132,7 +132,7 @@ ComparisonTable work_table(const std::vector<Entry>& entries) {
                                  {"operations", "per vertex", "vertex_operations_per_vertex", 1}};
   if (any(entries, "operations_per_frame")) figures.push_back({"operations", "per frame", "operations_per_frame", 0});
   ComparisonTable table = table_of("Work and tables", entries, figures);
-  table.note = "of the units above with what stands beside them; colour, interpolation and transform are the same for all";
+  table.note = "of the units above, additions included, without interpolation, transform and colour; the last two with table reads";
   return table;
 }
 
@@ -185,10 +185,6 @@ std::vector<ComparisonTable> comparison_tables(const Comparison& comparison) {
   for (const ComparisonTable& table : {work_table(entries), memory_table(entries), picture_table(entries), origin_table(comparison)})
     tables.push_back(table);
   return tables;
-}
-
-std::string marked_id(const SchemePage& page) {
-  return page.id + (is_reconstruction(page) ? " (R)" : "");
 }
 
 std::string conditions_of(const Comparison& comparison) {

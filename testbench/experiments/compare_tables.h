@@ -22,8 +22,6 @@ struct ComparisonTable {
 
 std::vector<ComparisonTable> comparison_tables(const Comparison& comparison);
 
-/// The id, with " (R)" for a reconstruction.
-std::string marked_id(const SchemePage& page);
 /// "512 x 512 pixels, 1 light, dated engine, 100 MHz".
 std::string conditions_of(const Comparison& comparison);
 /// Keys whose value is not the default: key, value, default.

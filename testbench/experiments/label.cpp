@@ -16,7 +16,8 @@ struct Glyph {
 /// What ids of schemes and their figures are written with.
 constexpr std::array glyphs = {
     // clang-format off
-    Glyph{'*', {0b00000, 0b00100, 0b10101, 0b01110, 0b10101, 0b00100, 0b00000, 0b00000, 0b00000}},
+    Glyph{'(', {0b00100, 0b01000, 0b10000, 0b10000, 0b10000, 0b01000, 0b00100, 0b00000, 0b00000}},
+    Glyph{')', {0b00100, 0b00010, 0b00001, 0b00001, 0b00001, 0b00010, 0b00100, 0b00000, 0b00000}},
     Glyph{'-', {0b00000, 0b00000, 0b00000, 0b11111, 0b00000, 0b00000, 0b00000, 0b00000, 0b00000}},
     Glyph{'.', {0b00000, 0b00000, 0b00000, 0b00000, 0b00000, 0b01100, 0b01100, 0b00000, 0b00000}},
     Glyph{'0', {0b01110, 0b10001, 0b10011, 0b10101, 0b11001, 0b10001, 0b01110, 0b00000, 0b00000}},
@@ -30,6 +31,7 @@ constexpr std::array glyphs = {
     Glyph{'8', {0b01110, 0b10001, 0b10001, 0b01110, 0b10001, 0b10001, 0b01110, 0b00000, 0b00000}},
     Glyph{'9', {0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100, 0b00000, 0b00000}},
     Glyph{'B', {0b11110, 0b10001, 0b10001, 0b11110, 0b10001, 0b10001, 0b11110, 0b00000, 0b00000}},
+    Glyph{'R', {0b11110, 0b10001, 0b10001, 0b11110, 0b10100, 0b10010, 0b10001, 0b00000, 0b00000}},
     Glyph{'_', {0b00000, 0b00000, 0b00000, 0b00000, 0b00000, 0b00000, 0b11111, 0b00000, 0b00000}},
     Glyph{'a', {0b00000, 0b00000, 0b01110, 0b00001, 0b01111, 0b10001, 0b01111, 0b00000, 0b00000}},
     Glyph{'b', {0b10000, 0b10000, 0b10110, 0b11001, 0b10001, 0b10001, 0b11110, 0b00000, 0b00000}},
@@ -69,6 +71,10 @@ const Glyph& glyph_of(char letter) {
 }
 
 }  // namespace
+
+bool has_glyph(char letter) {
+  return letter == ' ' || std::any_of(glyphs.begin(), glyphs.end(), [&](const Glyph& glyph) { return glyph.letter == letter; });
+}
 
 int label_width(std::string_view text, int scale) {
   return text.empty() ? 0 : (static_cast<int>(text.size()) * (glyph_columns + 1) - 1) * scale;

@@ -13,6 +13,9 @@ constexpr int glyph_columns = 5, glyph_rows = 9;  ///< of a letter at scale 1; o
 /// Pixels from the left edge of the first letter to the right edge of the last.
 int label_width(std::string_view text, int scale);
 
+/// False for a character that is drawn as a frame.
+bool has_glyph(char letter);
+
 /// White on whatever is there, `scale` (1 or more) pixels to a dot, with its top left corner at (left, top); clipped at the picture's
 /// edges.
 void draw_label(FrameBuffer& picture, int left, int top, std::string_view text, int scale);

@@ -64,16 +64,17 @@ References draw_references(const Scene& scene, const Configuration& configuratio
   return references;
 }
 
-/// Schemes whose frame is Lee's need a flag for texture charts that run the wrong way round, and have a parameter for it.
+/// Schemes whose frame is Lee's need a flag for texture charts that run the wrong way round; most of them have a parameter for it.
 std::vector<std::string> warnings_of(const Scene& scene, const SchemePage& page, const Configuration& configuration) {
   const std::string key = page.id + ".mirror";
-  if (configuration.parameters().find(key) == nullptr || configuration.boolean(key)) return {};
+  const bool has_flag = configuration.parameters().find(key) != nullptr;
+  if (has_flag ? configuration.boolean(key) : page.mirrored_charts) return {};
   std::vector<std::string> warnings;
   for (const SceneObject& object : scene.objects) {
     const auto& vertices = object.mesh->vertices;
     if (std::none_of(vertices.begin(), vertices.end(), [](const Vertex& vertex) { return vertex.handedness <= 0; })) continue;
-    warnings.push_back(fmt::format("object '{}' has mirrored texture coordinates, which {} shades wrongly without --set {}=true",
-                                   object.name, page.id, key));
+    warnings.push_back(fmt::format("object '{}' has mirrored texture coordinates, which {} shades wrongly{}", object.name, page.id,
+                                   has_flag ? " without --set " + key + "=true" : ""));
   }
   return warnings;
 }

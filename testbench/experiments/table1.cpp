@@ -50,6 +50,7 @@ std::vector<Table1Source> sources(const Configuration& configuration) {
     source.about.modelled = true;
     source.about.configured = away_from_default(configuration, page.id + ".");
     source.built = build_scheme(*scheme, configuration);
+    if (!source.about.configured.empty()) source.at_defaults = build_scheme(*scheme, Configuration(configuration.parameters()));
   }
   return result;
 }
@@ -113,7 +114,7 @@ const Table1Source* Table1Context::find(std::string_view scheme) const {
 std::string configured_text(const Table1Scheme& scheme) {
   std::string text;
   for (const std::string& setting : scheme.configured) text += (text.empty() ? "set to " : ", ") + setting;
-  return text.empty() ? text : text + "; ";
+  return text;
 }
 
 Table1 make_table1(const Configuration& configuration) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "datapath/vertex_program.h"
+#include "system/accounting.h"
 #include "testbench/experiments/table1_accuracy.h"
 #include "testbench/experiments/table1_sections.h"
 
@@ -80,7 +81,9 @@ class Beyond {
     pixel_unit("illumination", design.illumination, &built_.schedules.illumination, "with additions");
     pixel_unit("colour", built_.colour, &built_.schedules.colour, "ambient light and the texel's colour, the same for every scheme");
     if (design.light_maps) fragment_.maps += static_cast<int>(design.light_maps->maps.size());
-    Table1Row& fragment = row("fragment", "executed for each fragment and one light: all of the units above, every operator once");
+    fragment_.tables += fragment_.second_ports;  // a table is read through each of its ports
+    Table1Row& fragment = row(
+        "fragment", "executed for each fragment and one light: all of the units above, every operator once and tables through each port");
     fragment.values = operator_values(&fragment_);
     fragment.values.push_back(derived("operations", "operations", operations(fragment_)));
   }
@@ -102,7 +105,7 @@ class Beyond {
   void frame() {
     if (!built_.design.light_maps) return;
     const LightMaps& maps = *built_.design.light_maps;
-    const Inventory each = count(maps.fill);
+    const Inventory each = frame_cost(maps, {Light{}}, 0).published;  // one light of intensity 1
     const double entries = std::ldexp(1.0, maps.address_bits);
     Table1Row& added = row("frame", "filling the light maps, for each object and light");
     for (const Table1Value& value : operator_values(&each))

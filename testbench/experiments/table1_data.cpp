@@ -77,7 +77,7 @@ std::string table1_number(double value) {
 }
 
 std::string table1_json(const Table1& table) {
-  Json json = {{"schema", "bumpsim-table1"}, {"version", table1_json_version}, {"settings", Json(table.settings)}};
+  Json json = {{"schema", "bumpsim-table1"}, {"schema_version", table1_json_version}, {"status", "ok"}, {"settings", Json(table.settings)}};
   json["schemes"] = Json::array();
   for (const Table1Scheme& scheme : table.schemes) json["schemes"].push_back(scheme_json(scheme));
   for (const Table1Section section : {Table1Section::operators, Table1Section::text, Table1Section::storage, Table1Section::text_sizes,

@@ -104,7 +104,9 @@ std::int64_t light_table_bits(const Netlist& netlist) {
 BuiltScheme build_scheme(const Scheme& scheme, const Configuration& configuration) {
   const Scene scene = one_triangle();
   const Material material = scene.objects.front().material;
-  const auto context = make_context(scene, {scheme.design(configuration, material)}, {0}, {});
+  ContextOptions options;
+  options.shading = VertexProcessorConfig(configuration).space;
+  const auto context = make_context(scene, {scheme.design(configuration, material)}, {0}, options);
   BuiltScheme built;
   built.design = context->designs.front();
   built.colour = colour_netlist(scene, material, ColourUnitConfig(configuration),

@@ -54,14 +54,23 @@ Table1Row row_of(const Table1Source& source, const std::string& step, Table1Kind
   return row;
 }
 
-/// Why the configured design counts as it does: its settings, the reading that they select, and what is known of the cell.
-std::string reason(const Table1Context& context, const Table1Source& source, const published::Table1Cell* cell) {
+bool same_operators(const Inventory& a, const Inventory& b) {
+  return a.multipliers == b.multipliers && a.adders == b.adders && a.dividers == b.dividers && a.square_roots == b.square_roots &&
+         a.tables == b.tables && a.maps == b.maps;
+}
+
+/// Why the configured design counts as it does: what is known of the cell, or, where settings change the count, those and the reading that
+/// they select.
+std::string reason(const Table1Context& context, const Table1Source& source, const std::string& step, const published::Table1Cell* cell) {
   if (!source.built) return "not modelled";
+  const auto counted = [&](const BuiltScheme& built) { return step_count(built, step, Portion::published, source.blends_colours()); };
+  if (!source.at_defaults || same_operators(counted(*source.built), counted(*source.at_defaults)))
+    return cell == nullptr ? "" : std::string(cell->remark);
   std::string why = configured_text(source.about);
-  if (cell == nullptr) return why.empty() ? why : why.substr(0, why.size() - 2);
+  if (cell == nullptr) return why;
   for (const published::Reading& reading : cell->readings)
-    if (!reading.settings.empty() && has_settings(context.configuration, reading.settings)) why += std::string(reading.why) + "; ";
-  return why + std::string(cell->remark);
+    if (!reading.settings.empty() && has_settings(context.configuration, reading.settings)) why += "; " + std::string(reading.why);
+  return why;
 }
 
 void add_step(const Table1Context& context, const Table1Source& source, const std::string& step, std::vector<Table1Row>& rows) {
@@ -72,7 +81,7 @@ void add_step(const Table1Context& context, const Table1Source& source, const st
   row.values = operator_values(source.built ? &derived : nullptr, printed_if(cell));
   row.source = cell != nullptr ? std::string(cell->source) : "";
   row.agreement = agreement_of(cell, row.values, source.built.has_value());
-  row.why = reason(context, source, cell);
+  row.why = reason(context, source, step, cell);
   give_reasons(row, row.agreement != "exact");
   rows.push_back(row);
 }
@@ -196,10 +205,13 @@ void add_text_counts(const Table1Context& context, std::vector<Table1Row>& rows)
     std::optional<Inventory> derived;
     if (source != nullptr && source->built) {
       row.reconstruction = source->reconstructs(std::string(claim.part.unit));
-      row.why = configured_text(source->about) + row.why;
+      const auto counted = [&](const Configuration& configuration) {
+        return part_count(source->scheme->design(with_settings(configuration, claim.part.settings), Material{}), claim.part);
+      };
       try {
-        const Configuration configuration = with_settings(context.configuration, claim.part.settings);
-        derived = part_count(source->scheme->design(configuration, Material{}), claim.part);
+        derived = counted(context.configuration);
+        if (source->at_defaults && !same_operators(*derived, counted(Configuration(context.configuration.parameters()))))
+          row.why = configured_text(source->about);
       } catch (const Error& error) {
         if (error.kind() != ErrorKind::input) throw;
         row.why = "not with this configuration: " + error.text().what;

@@ -16,6 +16,7 @@ struct Table1Source {
   Table1Scheme about;
   const Scheme* scheme = nullptr;
   std::optional<BuiltScheme> built;
+  std::optional<BuiltScheme> at_defaults;  ///< only where the configuration differs from the scheme's defaults
 
   bool reconstructs(const std::string& step) const;
   bool blends_colours() const;  ///< the printed illumination includes the colour unit
@@ -35,7 +36,7 @@ std::vector<Table1Value> operator_values(const Inventory* derived, const std::ve
 /// As a cell prints them; an operator that it does not name is 0.
 std::vector<std::optional<double>> printed(const published::OperatorCounts& counts);
 
-/// "set to a=1 (default 2); " for a scheme away from its defaults, else empty.
+/// "set to a=1 (default 2)" for a scheme away from its defaults, else empty.
 std::string configured_text(const Table1Scheme& scheme);
 
 void add_operators(const Table1Context& context, std::vector<Table1Row>& rows);

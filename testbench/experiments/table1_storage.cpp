@@ -61,7 +61,7 @@ void add_storage(const Table1Context& context, std::vector<Table1Row>& rows) {
     if (source != nullptr && source->built) {
       row.reconstruction =
           !source->about.reconstructed.empty() && (claim.part.unit.empty() || source->reconstructs(std::string(claim.part.unit)));
-      row.why = configured_text(source->about) + row.why;
+      row.why = configured_text(source->about) + (source->about.configured.empty() || row.why.empty() ? "" : "; ") + row.why;
       const BuiltScheme built = build_scheme(*source->scheme, with_settings(context.configuration, claim.part.settings));
       value.derived = part_bytes(built, claim.part, claim.storage);
       if (!value.derived) value.derived = 0;

@@ -8,18 +8,20 @@
 #include "testbench/experiments/child_processes.h"
 #include "testbench/experiments/frame_bytes.h"
 #include "testbench/experiments/measured_run.h"
+#include "testbench/experiments/table2_filters.h"
 #include "testbench/experiments/table2_scenes.h"
 
 namespace bump {
 
 namespace {
 
-/// A simulation of the second round: a picture of the table, or one point of the dependence on the light.
+/// A simulation of the second round: a picture of the table, one point of the dependence on the light, or one of that on the filter.
 struct Drawing {
   std::size_t scene = 0;
   std::string method;
   ShadingSpace space = ShadingSpace::object;
-  std::optional<std::size_t> moved;  ///< which of the scene's moved lights
+  std::optional<std::size_t> moved;   ///< which of the scene's moved lights
+  std::optional<std::string> filter;  ///< of the bump map, where it is not the table's own
 };
 
 class Experiment {
@@ -31,6 +33,9 @@ class Experiment {
       configurations_.push_back(configuration);
       configurations_.back().set("vertex_processor.space", name_of(space), Location("table2"));
     }
+    table_.texture_filter = configuration.choice("texture_fetch.filter");
+    table_.proposed_filter = configuration.choice("lee2007.map_filter");
+    table_.kim_filter = configuration.choice("kim2001.map_filter");
     for (std::size_t s = 0; s < shipped.size(); ++s) {
       const double degrees = table2_scenes[s].light_degrees;
       table_.scenes.push_back(arrange_table2_scene(shipped[s], {degrees, 0}));
@@ -47,6 +52,7 @@ class Experiment {
     draw_all_pictures();
     for (std::size_t s = 0; s < table_.scenes.size(); ++s) compare(std::string(table2_scenes[s].name));
     sort_moved_lights();
+    sort_filters();
     return std::move(table_);
   }
 
@@ -117,6 +123,9 @@ class Experiment {
     SimulationOptions options;
     options.cancelled = options_.cancelled;
     options.progress = report_share;
+    if (drawing.filter)
+      return draw_filtered(table_.scenes[drawing.scene], find_scheme(scheme_of(drawing.method)), configuration_of(drawing.space),
+                           *drawing.filter, references_[drawing.scene].normal_map, options);
     options.measure = !drawing.moved;
     const Scene& scene = drawing.moved ? moved_[drawing.scene][*drawing.moved].scene : table_.scenes[drawing.scene];
     MeasuredRun run(scene, find_scheme(scheme_of(drawing.method)), configuration_of(drawing.space), "dated");
@@ -137,8 +146,12 @@ class Experiment {
     std::vector<Drawing> drawings;
     for (std::size_t s = 0; s < table_.scenes.size(); ++s) {
       for (const ShadingSpace space : shading_spaces) {
-        for (const char* method : {"proposed", "kim"}) drawings.push_back({s, method, space, {}});
-        for (std::size_t m = 0; m < moved_[s].size(); ++m) drawings.push_back({s, "proposed", space, m});
+        for (const char* method : {"proposed", "kim"}) {
+          drawings.push_back({s, method, space, {}, {}});
+          for (const char* filter : table2_filters)
+            if (filter != table_.filter_of(method)) drawings.push_back({s, method, space, {}, filter});
+        }
+        for (std::size_t m = 0; m < moved_[s].size(); ++m) drawings.push_back({s, "proposed", space, m, {}});
       }
     }
     std::vector<ChildTask> tasks;
@@ -160,6 +173,11 @@ class Experiment {
 
   void keep(const Drawing& drawing, const std::string& bytes) {
     const std::string scene(table2_scenes[drawing.scene].name);
+    if (drawing.filter) {
+      table_.filtered.push_back({scene, drawing.method, drawing.space, *drawing.filter, {}, 0, {}});
+      read_filtered(bytes, table_.filtered.back());
+      return;
+    }
     ByteReader reader(bytes);
     if (drawing.moved) {
       const Moved& moved = moved_[drawing.scene][*drawing.moved];
@@ -216,6 +234,26 @@ class Experiment {
     }
   }
 
+  /// In order, with the table's own pictures among them.
+  void sort_filters() {
+    std::vector<Table2Filtered> all;
+    for (const Table2Scene& scene : table2_scenes) {
+      const std::string name(scene.name);
+      for (const ShadingSpace space : shading_spaces) {
+        for (const char* method : {"proposed", "kim"}) {
+          for (const char* filter : table2_filters) {
+            const Table2Filtered* drawn = table_.filtered_picture(name, method, space, filter);
+            const Table2Comparison* own = table_.comparison(name, method, "conventional", space);
+            BUMP_ASSERT(drawn != nullptr || filter == table_.filter_of(method));
+            all.push_back(drawn != nullptr ? *drawn
+                                           : Table2Filtered{name, method, space, filter, own->whole.nmse, own->objects.psnr_db, {}});
+          }
+        }
+      }
+    }
+    table_.filtered = std::move(all);
+  }
+
   const Configuration& configuration_;
   const Table2Options& options_;
   std::vector<Configuration> configurations_;  ///< one per space
@@ -247,6 +285,19 @@ const Table2Comparison* Table2::comparison(const std::string& scene, const std::
     return c.scene == scene && c.test == test && c.reference == reference && c.space == space;
   });
   return found == comparisons.end() ? nullptr : &*found;
+}
+
+const Table2Filtered* Table2::filtered_picture(const std::string& scene, const std::string& test, ShadingSpace space,
+                                               const std::string& filter) const {
+  const auto found = std::find_if(filtered.begin(), filtered.end(), [&](const Table2Filtered& p) {
+    return p.scene == scene && p.test == test && p.space == space && p.filter == filter;
+  });
+  return found == filtered.end() ? nullptr : &*found;
+}
+
+const std::string& Table2::filter_of(const std::string& method) const {
+  BUMP_ASSERT(method == "proposed" || method == "kim");
+  return method == "proposed" ? proposed_filter : kim_filter;
 }
 
 Table2 measure_table2(const std::vector<Scene>& shipped, const Configuration& configuration, const Table2Options& options) {

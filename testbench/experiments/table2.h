@@ -5,8 +5,13 @@
 //
 // The conventional method (Blinn's Eq 1, Cartesian, object space) is drawn twice, because how a bump map is made moves a picture more than
 // hardware does:
-//   conventional  exact Cartesian shading, in double precision, of the very map that the schemes encode: the comparison isolates the
-//   method; blinn         Blinn's perturbation from the heights, in double precision, where the scene has heights.
+//   conventional  exact Cartesian shading, in double precision, of the very map that the schemes encode
+//   blinn         Blinn's perturbation from the heights, in double precision, where the scene has heights
+//
+// The paper (section 7) interpolates the bump map by the filter of its textures, but does not name it. phi means nothing on flat
+// texels, so the polar schemes take the nearest texel by default, and `conventional` filters: the same map, not the same N' at a
+// pixel. So the schemes are also drawn with the map filtered in each of the ways they know, against the same reference; with vectors the
+// filter is the reference's, and what remains is the method.
 
 #include <array>
 #include <atomic>
@@ -51,16 +56,34 @@ struct Table2Angle {
   std::array<double, 3> nmse{};
 };
 
+/// A scheme with its bump map filtered in one of three ways, against conventional.
+struct Table2Filtered {
+  std::string scene, test;  ///< as above
+  ShadingSpace space = ShadingSpace::object;
+  std::string filter;                  ///< of table2_filters
+  std::array<double, 3> nmse{};        ///< whole frame, 8 bits
+  double psnr_db = 0;                  ///< object pixels, unrounded
+  std::optional<std::string> refused;  ///< why the settings do not go with this filter; then the measures are NaN
+};
+
 struct Table2 {
   std::vector<Scene> scenes;  ///< as they were drawn, in the order of table2_scenes
   std::vector<Table2Picture> pictures;
   std::vector<Table2Comparison> comparisons;
-  std::vector<Table2Angle> angles;    ///< only if asked for: table2_angles at azimuth 0
-  std::vector<Table2Angle> azimuths;  ///< only if asked for: table2_azimuths at the scene's own angle
+  std::vector<Table2Angle> angles;          ///< only if asked for: table2_angles at azimuth 0
+  std::vector<Table2Angle> azimuths;        ///< only if asked for: table2_azimuths at the scene's own angle
+  std::vector<Table2Filtered> filtered;     ///< by scene, space, test ("proposed", "kim"), filter
+  std::string texture_filter;               ///< of colours and of the references: texture_fetch.filter
+  std::string proposed_filter, kim_filter;  ///< of the bump map in the table's own pictures: lee2007.map_filter, kim2001.map_filter
 
   const Table2Picture* picture(const std::string& scene, const std::string& method, std::optional<ShadingSpace> space) const;
   const Table2Comparison* comparison(const std::string& scene, const std::string& test, const std::string& reference,
                                      std::optional<ShadingSpace> space) const;
+  /// Null if there is none.
+  const Table2Filtered* filtered_picture(const std::string& scene, const std::string& test, ShadingSpace space,
+                                         const std::string& filter) const;
+  /// Of the bump map in the table's own pictures by "proposed" or "kim".
+  const std::string& filter_of(const std::string& method) const;
 };
 
 struct Table2Options {
@@ -71,13 +94,16 @@ struct Table2Options {
 };
 
 inline constexpr std::array<ShadingSpace, 2> shading_spaces{ShadingSpace::object, ShadingSpace::eye};
+/// Ways to filter the bump map: values of <scheme>.map_filter.
+inline constexpr std::array<const char*, 3> table2_filters{"nearest", "linear", "vector"};
 /// "object" or "eye", the values of vertex_processor.space.
 std::string name_of(ShadingSpace space);
 /// Ids of the schemes behind "proposed" and "kim".
 std::string scheme_of(const std::string& method);
 
 /// `shipped`: the scenes of table2_scenes, in order. The configuration holds for every picture, but for vertex_processor.space, which must
-/// be at its default. Simulates in child processes (child_processes.h); the result does not depend on their number. Throws Error.
+/// be at its default; `filtered` has every filter whatever <scheme>.map_filter is set to. Simulates in child processes (child_processes.h);
+/// the result does not depend on their number. Throws Error.
 Table2 measure_table2(const std::vector<Scene>& shipped, const Configuration& configuration, const Table2Options& options);
 
 }  // namespace bump

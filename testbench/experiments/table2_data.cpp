@@ -67,6 +67,30 @@ Json scenes_json(const Table2& table) {
   return list;
 }
 
+/// Of the published table, what the mean NMSE of `picture` stands beside.
+const published::Table2Row* published_row(const Table2Filtered& picture) {
+  return picture.test == "proposed" ? published::table2_row(picture.scene, "conventional") : nullptr;
+}
+
+Json filters_json(const Table2& table) {
+  Json list = Json::array();
+  for (const Table2Filtered& picture : table.filtered) {
+    const published::Table2Row* row = published_row(picture);
+    const double measured = mean(picture.nmse), printed = row != nullptr ? mean(row->nmse) : std::nan("");
+    list.push_back({{"scene", picture.scene},
+                    {"space", name_of(picture.space)},
+                    {"test", picture.test},
+                    {"reference", "conventional"},
+                    {"bump_filter", picture.filter},
+                    {"table", picture.filter == table.filter_of(picture.test)},
+                    {"nmse", {{"red", number(picture.nmse[0])}, {"green", number(picture.nmse[1])}, {"blue", number(picture.nmse[2])}}},
+                    {"mean_nmse", {{"published", number(printed)}, {"measured", number(measured)}, {"ratio", number(measured / printed)}}},
+                    {"psnr_db", number(picture.psnr_db)},
+                    {"refused", picture.refused ? Json(*picture.refused) : Json(nullptr)}});
+  }
+  return list;
+}
+
 Json lights_json(const std::vector<Table2Angle>& points) {
   Json list = Json::array();
   for (const Table2Angle& point : points)
@@ -100,16 +124,20 @@ std::vector<std::string> changed_settings(const Configuration& configuration) {
   return changed;
 }
 
-std::string title_of(const std::string& method) {
-  if (method == "proposed") return "the proposed method, scheme lee2007 as the simulated hardware draws it";
-  if (method == "kim") return "Kim's polar coordinate method, scheme kim2001 as the simulated hardware draws it";
+std::string title_of(const std::string& method, const Table2& table) {
+  if (method == "proposed")
+    return "the proposed method, scheme lee2007 as the simulated hardware draws it; bump map " + title_of_filter(table.proposed_filter);
+  if (method == "kim")
+    return "Kim's polar coordinate method, scheme kim2001 as the simulated hardware draws it; bump map " +
+           title_of_filter(table.kim_filter);
   if (method == "blinn") return "Blinn's perturbation (Eq 1) of the heights in object space, double precision: the conventional method";
-  return "exact Cartesian shading in object space, double precision, of the bump map that the schemes encode: the conventional method with "
-         "the same N'";
+  return "exact Cartesian shading in object space, double precision, of the bump map that the schemes encode, its normals filtered like "
+         "colours (" +
+         table.texture_filter + "): the conventional method with the same map";
 }
 
 nlohmann::ordered_json table2_json(const Table2& table, const Configuration& configuration) {
-  Json json = {{"schema", "bumpsim-table2"}, {"version", table2_json_version}, {"source", "Lee et al. 2007, Table 2"}};
+  Json json = {{"schema", "bumpsim-table2"}, {"schema_version", table2_json_version}, {"status", "ok"}, {"source", "Lee et al. 2007, Table 2"}};
   json["assumptions"] = {
       {"scenes", scenes_json(table)},
       {"material",
@@ -117,9 +145,14 @@ nlohmann::ordered_json table2_json(const Table2& table, const Configuration& con
         {"diffuse", table2_material.diffuse},
         {"specular", table2_material.specular},
         {"shininess", table2_material.shininess}}},
-      {"light", "one point light of intensity 1, as far from the object's centre as the eye, towards the viewer's right"}};
+      {"light", "one point light of intensity 1, as far from the object's centre as the eye, towards the viewer's right"},
+      {"bump_map_filter",
+       {{"texture_fetch.filter", table.texture_filter},
+        {"lee2007.map_filter", table.proposed_filter},
+        {"kim2001.map_filter", table.kim_filter},
+        {"note", filter_assumption(table)}}}};
   json["settings"] = changed_settings(configuration);
-  for (const char* method : {"proposed", "kim", "conventional", "blinn"}) json["methods"][method] = title_of(method);
+  for (const char* method : {"proposed", "kim", "conventional", "blinn"}) json["methods"][method] = title_of(method, table);
   json["comparisons"] = Json::array();
   for (const Table2Comparison& c : table.comparisons) {
     Json row = {{"scene", c.scene},
@@ -133,6 +166,7 @@ nlohmann::ordered_json table2_json(const Table2& table, const Configuration& con
     row["angular_error_of_light"] = picture != nullptr && picture->light ? light_json(*picture->light) : Json(nullptr);
     json["comparisons"].push_back(std::move(row));
   }
+  json["bump_map_filters"] = filters_json(table);
   json["light_angles"] = lights_json(table.angles);
   json["light_azimuths"] = lights_json(table.azimuths);
   json["findings"] = table2_findings(table);
@@ -140,9 +174,11 @@ nlohmann::ordered_json table2_json(const Table2& table, const Configuration& con
 }
 
 std::string table2_csv(const Table2& table) {
-  std::string csv = "section,scene,space,test,reference,light_degrees,light_azimuth,measure,channel,unit,published,measured,ratio\n";
+  std::string csv =
+      "section,scene,space,test,reference,bump_filter,light_degrees,light_azimuth,measure,channel,unit,published,measured,ratio\n";
   for (const Table2Comparison& c : table.comparisons) {
-    const std::string key = fmt::format("{},{},{},{}", c.scene, c.space ? name_of(*c.space) : "", c.test, c.reference);
+    const std::string key = fmt::format("{},{},{},{},{}", c.scene, c.space ? name_of(*c.space) : "", c.test, c.reference,
+                                        c.space ? table.filter_of(c.test) : "");
     for (const Table2Measure& measure : table2_measures()) {
       for (std::size_t i = 0; i < 3; ++i) {
         const double measured = (c.whole.*measure.measured)[i];
@@ -163,11 +199,22 @@ std::string table2_csv(const Table2& table) {
     line("angular_error_of_light", "rms", "degrees", picture->light->rms_degrees);
     line("angular_error_of_light", "max", "degrees", picture->light->max_degrees);
   }
+  for (const Table2Filtered& picture : table.filtered) {
+    const std::string key =
+        fmt::format("bump_map_filters,{},{},{},conventional,{},,", picture.scene, name_of(picture.space), picture.test, picture.filter);
+    const published::Table2Row* row = published_row(picture);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double measured = picture.nmse[i], printed = row != nullptr ? row->nmse[i] : std::nan("");
+      csv += fmt::format("{},NMSE,{},1,{},{},{}\n", key, channel_names[i], csv_number(printed), csv_number(measured),
+                         csv_number(measured / printed));
+    }
+    csv += fmt::format("{},PSNR,,dB,,{},\n", key, csv_number(picture.psnr_db));
+  }
   const auto lights = [&](const char* section, const std::vector<Table2Angle>& points) {
     for (const Table2Angle& point : points)
       for (std::size_t i = 0; i < 3; ++i)
-        csv += fmt::format("{},{},{},proposed,conventional,{},{},NMSE,{},1,,{},\n", section, point.scene, name_of(point.space),
-                           point.light.degrees, point.light.azimuth, channel_names[i], csv_number(point.nmse[i]));
+        csv += fmt::format("{},{},{},proposed,conventional,{},{},{},NMSE,{},1,,{},\n", section, point.scene, name_of(point.space),
+                           table.proposed_filter, point.light.degrees, point.light.azimuth, channel_names[i], csv_number(point.nmse[i]));
   };
   lights("light_angles", table.angles);
   lights("light_azimuths", table.azimuths);

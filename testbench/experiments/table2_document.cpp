@@ -50,7 +50,9 @@ void assumptions(Document& document, const Table2& table, const Configuration& c
   document.table({"scene", "in the paper", "scene file", "pixels", "light, degrees", "relief"}, rows, 3);
   const std::vector<std::string> changed = changed_settings(configuration);
   if (!changed.empty()) document.paragraph("Settings: " + joined(changed) + ".");
-  for (const char* method : {"proposed", "kim", "conventional", "blinn"}) document.item(fmt::format("{}: {}.", method, title_of(method)));
+  for (const char* method : {"proposed", "kim", "conventional", "blinn"})
+    document.item(fmt::format("{}: {}.", method, title_of(method, table)));
+  document.paragraph(filter_assumption(table));
   document.paragraph(
       "Space: the axes in which polar angles are taken, the object's own or the camera's (pole towards the viewer); the paper does not "
       "say. "
@@ -119,8 +121,8 @@ void moved_lights(Document& document, const Table2& table) {
   if (table.angles.empty()) return;
   document.heading(2, "Dependence on the light");
   document.paragraph(
-      "Mean NMSE of red, green, blue, proposed against conventional, with the light at other angles from the eye, towards the viewer's "
-      "right:");
+      "Mean NMSE of red, green, blue, proposed against conventional (bump map " + title_of_filter(table.proposed_filter) +
+      ", whose share these values do not tell apart), with the light at other angles from the eye, towards the viewer's right:");
   light_table(document, table.angles, &Table2Light::degrees, "degrees");
   document.paragraph("and at the angle of the table, turned around the line of sight (0 is to the right, 90 above):");
   light_table(document, table.azimuths, &Table2Light::azimuth, "azimuth");
@@ -140,6 +142,7 @@ std::string table2_document(const Table2& table, const Configuration& configurat
   for (const char* reference : {"conventional", "kim", "blinn"})
     for (const ShadingSpace space : shading_spaces) published_block(document, table, space, reference);
   beyond_the_paper(document, table);
+  filter_section(document, table);
   moved_lights(document, table);
   document.heading(2, "What reproduces and what cannot");
   for (const std::string& finding : table2_findings(table)) document.item(finding);

@@ -11,6 +11,8 @@
 
 namespace bump {
 
+class Document;
+
 inline constexpr int table2_json_version = 1;
 
 /// "text", "md", "csv" or "json"; ends with a line break.
@@ -38,7 +40,25 @@ const std::array<Table2Measure, 4>& table2_measures();
 double mean(const std::array<double, 3>& channels);
 /// "set by the user": keys that are not at their default, with their values.
 std::vector<std::string> changed_settings(const Configuration& configuration);
-/// One line each: what the picture called "proposed", "kim", "conventional" or "blinn" is.
-std::string title_of(const std::string& method);
+/// One line each: what the picture called "proposed", "kim", "conventional" or "blinn" is in this table.
+std::string title_of(const std::string& method, const Table2& table);
+
+/// Lowest, median and highest of the finite values; NaN if there are none.
+struct Spread {
+  double low, middle, high;
+  explicit Spread(std::vector<double> values);
+};
+/// "0.75", "4.70", "37": a ratio to published values with no more digits than those bear.
+std::string times(double value);
+
+// The filter of the bump map (table2_filter_report.cpp).
+/// "nearest texel" and the like, for a value of <scheme>.map_filter.
+std::string title_of_filter(const std::string& filter);
+/// Which filters the table's own pictures have, and why.
+std::string filter_assumption(const Table2& table);
+/// The section with every filter.
+void filter_section(Document& document, const Table2& table);
+/// Which share of the error is the filter's, and which the method's.
+std::vector<std::string> filter_findings(const Table2& table);
 
 }  // namespace bump

@@ -85,6 +85,9 @@ bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, OIIO::Typ
 /// OpenImageIO writes the current time into an EXR that has no date of its own.
 constexpr const char* no_date = "1970:01:01 00:00:00";
 
+/// Rendered frames hardly get smaller at higher levels, which take several times as long as the simulation of the frame.
+constexpr int quick_deflate = 1;
+
 std::string encode(const std::string& name, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels, std::string& error) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
@@ -105,12 +108,14 @@ class OiioCodec : public ImageCodec {
   std::optional<ErrorText> decode(const std::string& path, const std::string& bytes, const Location& where, Image& image) const override;
 
   std::string encode_png(int width, int height, const unsigned char* pixels, std::string& error) const override {
-    return encode("frame.png", OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8), OIIO::TypeDesc::UINT8, pixels, error);
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("png:compressionLevel", quick_deflate);
+    return encode("frame.png", spec, OIIO::TypeDesc::UINT8, pixels, error);
   }
 
   std::string encode_exr(int width, int height, const float* pixels, std::string& error) const override {
     OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
-    spec.attribute("compression", "zip");
+    spec.attribute("compression", "zip:" + std::to_string(quick_deflate));
     spec.attribute("DateTime", no_date);
     return encode("frame.exr", spec, OIIO::TypeDesc::FLOAT, pixels, error);
   }

@@ -93,7 +93,10 @@ int command_line(int argc, char* argv[]) {
   command->add_option("--trace", run.trace, "VCD file with FIFOs and unit states; needs --engine stepped; must not exist")
       ->type_name("FILE.vcd")
       ->check(named());
-  command->add_flag("--force", run.force, "replace an earlier result in --out, and an earlier file of --trace");
+  command->add_option("--record", run.record, "file for what timing needs of this run, to be dated again by retime; must not exist")
+      ->type_name("FILE")
+      ->check(named());
+  command->add_flag("--force", run.force, "replace an earlier result in --out, and earlier files of --trace and --record");
   command->add_flag("--no-quality", run.no_quality,
                     "only cycles, counts and the picture: no references, no evaluation in double precision; faster");
   add_json(*command, run.json);
@@ -140,6 +143,18 @@ int command_line(int argc, char* argv[]) {
   add_json(*command, table2.json);
   command->callback([&] { chosen = [&] { return table2_command(table2); }; });
 
+  RetimeArguments retime;
+  command = program.add_subcommand("retime", "date a run recorded with --record again, for other depths, latencies, multiplier limits, memories");
+  command->add_option("trace", retime.trace, "file that run --record wrote")->required()->type_name("TRACE");
+  add_configuration(*command, retime.configuration_files, retime.settings);
+  command->add_option("--sweep", retime.sweeps, "values of one parameter, e.g. fifos.depth=1,2,4; repeated: the full product")
+      ->type_name("KEY=A,B,...")
+      ->allow_extra_args(false);
+  command->add_option("--format", retime.format, "text, csv or json")->check(CLI::IsMember({"text", "csv", "json"}))->capture_default_str();
+  add_jobs(*command, retime.jobs);
+  add_json(*command, retime.json);
+  command->callback([&] { chosen = [&] { return retime_command(retime); }; });
+
   ListArguments list;
   command = program.add_subcommand("list", "list schemes and shipped scenes");
   command->add_option("what", list.what, "schemes or scenes (default: both)")->check(CLI::IsMember({"schemes", "scenes"}));
@@ -183,7 +198,7 @@ int command_line(int argc, char* argv[]) {
   }
 
   const bool json = run.json || compare.json || table1.json || table2.json || list.json || describe.json || check.json || luts.json || probe.json ||
-                    compare.format == "json";
+                    retime.json || retime.format == "json" || compare.format == "json";
   try {
     const int code = chosen();
     if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category());

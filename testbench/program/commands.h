@@ -15,6 +15,7 @@ struct RunArguments {
   std::vector<std::string> settings;  ///< "key=value"
   std::string out;                    ///< empty: a new folder under out/
   std::string trace;                  ///< VCD path, stepped engine only
+  std::string record;                 ///< file for a timing trace, for `retime`; empty: none
   bool force = false;                 ///< replace an earlier result or trace
   bool no_quality = false;            ///< skip the reference renderings
   bool json = false;
@@ -57,6 +58,17 @@ struct CompareArguments {
   bool json = false;
 };
 int compare_command(const CompareArguments& arguments);
+
+struct RetimeArguments {
+  std::string trace;
+  std::vector<std::string> configuration_files;
+  std::vector<std::string> settings;
+  std::vector<std::string> sweeps;  ///< "key=a,b,c"; none: one configuration
+  std::string format = "text";      ///< text, csv or json
+  int jobs = 0;                     ///< threads; 0: one per core
+  bool json = false;                ///< short for format json
+};
+int retime_command(const RetimeArguments& arguments);
 
 struct ListArguments {
   std::string what;  ///< "schemes", "scenes", or empty for both

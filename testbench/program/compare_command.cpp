@@ -79,8 +79,6 @@ int compare_command(const CompareArguments& arguments) {
   if (!arguments.out.empty()) check_output_folder(arguments.out, arguments.force, comparison_folder_kind);
   const Scene scene = read_scene(find_scene_path(arguments.scene, scene_folders()));
   for (const std::string& warning : scene.warnings) warn(warning);
-  for (const Scheme* scheme : schemes)
-    for (const std::string& warning : warnings_of(scene, scheme->page(), configuration)) warn(warning);
 
   const Comparison comparison = compare_with_progress(scene, schemes, configuration, arguments, interrupted);
   for (const std::string& warning : comparison.warnings) warn(warning);

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 
+#include "retiming/trace_file.h"
 #include "testbench/experiments/measured_run.h"
+#include "testbench/experiments/retime.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/configure.h"
 #include "testbench/program/interrupt.h"
@@ -13,6 +15,7 @@
 #include "testbench/program/trace_file.h"
 #include "testbench/program/version.h"
 #include "testbench/program/warning.h"
+#include "testbench/results/output_file.h"
 #include "testbench/results/pending_folder.h"
 #include "testbench/results/result_folder.h"
 #include "testbench/results/result_json.h"
@@ -56,6 +59,7 @@ int run_command(const RunArguments& arguments) {
   const std::string out = arguments.out.empty() ? new_output_folder(scene.name, arguments.scheme) : arguments.out;
   check_output_folder(out, arguments.force);
 
+  if (!arguments.record.empty()) check_record_file(arguments.record, out, arguments.force);
   TraceFile trace(arguments.trace, out, arguments.force);
 
   SimulationOptions options;
@@ -64,6 +68,8 @@ int run_command(const RunArguments& arguments) {
   options.cancelled = &interrupted;
   Progress progress("simulating " + scene.name);
   options.progress = [&progress](double share) { progress.update(share); };
+  TraceRecorder recorder;
+  if (!arguments.record.empty()) options.record = [&recorder](const TimingRecords& records) { recorder.add(records); };
   MeasuredRun run(scene, scheme, configuration, arguments.engine);
   run.simulate(options);
   trace.check(run.result().timing.cycles);
@@ -74,6 +80,9 @@ int run_command(const RunArguments& arguments) {
   report.host = host_facts(run.wall_s(), run.result().fragments, compiler_text(), version_text());
   stop_if_interrupted();
   report.out = out;
+  if (!arguments.record.empty())
+    write_output_file(arguments.record, encode_trace(recorder.finish(scene, scheme, configuration, run.result().timing.cycles)), arguments.force,
+                      "--record");
   write_result(out, report, arguments.force);
   trace.commit();
   fmt::print("{}", arguments.json ? json_text(report) : summary(report));

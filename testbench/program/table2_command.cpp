@@ -24,6 +24,8 @@ int table2_command(const Table2Arguments& arguments) {
   const std::atomic<bool>& interrupted = watch_interrupts();
   const Configuration configuration = configure(arguments.configuration_files, arguments.settings);
   if (!arguments.out.empty()) check_output_file(arguments.out, arguments.force);
+  if (!arguments.pictures.empty() && arguments.pictures == arguments.out)
+    throw Error({"--out and --pictures name the same place '" + arguments.out + "'", {}, "one is a file, the other a folder", "another name for one of them"});
   if (!arguments.pictures.empty()) check_table2_pictures(arguments.pictures, arguments.force);
   std::vector<Scene> scenes;
   for (const Table2Scene& wanted : table2_scenes) {

@@ -79,8 +79,9 @@ inline constexpr std::array<Table1Cell, 10> table1{{
      true,
      {8, 4, 0, 0, 5, 2},
      "Table 1, row 2, column 2; section 6",
-     "address of the light maps, two light maps of 1 Mbyte, and colour blending, which no other column includes; the division between "
-     "address and blending is not given",
+     "section 6 gives all eight multipliers, four adders and five tables to the address of the light maps, without a datapath; the made-up "
+     "address needs 4, 2 and 5, and the count closes only with what follows it, down to the colour blending that the section names as part "
+     "of the stage and that no other column includes",
      Agreement::construction,
      true},
     {"kim2001",
@@ -276,7 +277,7 @@ inline constexpr std::array<TextSize, 7> text_sizes{{
      "bump map and three tables of 256 bytes"},
     {"perturbation map", {"kugler1998", "environment", "", "", ""}, Storage::maps, 32768, "32 Kbytes", "section 6", ""},
     {"one light map", {"kugler1998", "illumination", "", "", ""}, Storage::light_map, 1048576, "2^20 x 8 bits, 1 MB", "section 6", ""},
-    {"all maps",
+    {"all tables and maps",
      {"kugler1998", "", "", "", ""},
      Storage::all,
      3145728,

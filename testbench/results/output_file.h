@@ -7,11 +7,12 @@
 namespace bump {
 
 /// Throws Error(input) if `path` cannot become a file: something is there and `force` is not set, or it is no regular file, or the folder
-/// it belongs in is none or may not be written to (missing folders will be made). Creates nothing; call it before long work.
-void check_output_file(const std::string& path, bool force);
+/// it belongs in is none or may not be written to (missing folders will be made). Creates nothing; call it before long work. `option` is
+/// the one that named the path, for messages.
+void check_output_file(const std::string& path, bool force, const std::string& option = "--out");
 
 /// Checks as above, writes the text to a file beside it and renames that into place. Throws Error(input) with the system's reason when the
 /// disk is full or anything else goes wrong; then nothing new is left, and an earlier file is as it was.
-void write_output_file(const std::string& path, const std::string& text, bool force);
+void write_output_file(const std::string& path, const std::string& text, bool force, const std::string& option = "--out");
 
 }  // namespace bump

@@ -47,8 +47,13 @@ Json used_per_fragment(const UnitCost& unit, std::int64_t fragments) {
   if (fragments <= 0) return nullptr;
   Inventory all = unit.published;
   all += unit.addition;
-  Json json = operators(all);
-  const Json repeated = operators(unit.per_light);
+  // A table is read through each of its ports.
+  const auto executed = [](Inventory inventory) {
+    inventory.tables += inventory.second_ports;
+    return operators(inventory);
+  };
+  Json json = executed(all);
+  const Json repeated = executed(unit.per_light);
   for (auto& [name, value] : json.items()) {
     const double once = value.get<double>() + repeated[name].get<double>() * (unit.lights - 1);
     value = once * static_cast<double>(unit.executions) / static_cast<double>(fragments);

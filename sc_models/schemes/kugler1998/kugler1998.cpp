@@ -68,7 +68,8 @@ class Kugler1998 : public Scheme {
         "The interpolated normal becomes polar angles and is perturbed in object space by two adders and one map of "
         "32 Kbytes. Its direction addresses a diffuse and a specular light map of 1 Mbyte each, filled every frame "
         "for all lights; no dot product per pixel.",
-        {"environment", "illumination"}};
+        {"environment", "illumination"},
+        false};
     return page;
   }
 

@@ -11,8 +11,14 @@ namespace bump_test {
 using namespace bump;
 
 Format random_format(Random& random) {
-  const int width = random.integer(0, 7) == 0 ? random.integer(1, 62) : random.integer(1, 20);
-  if (random.integer(0, 3) == 0) return turns(random.integer(2, 16));
+  // Mostly narrow words, some of any width, some about the widths at which evaluation changes its lanes or its way.
+  const int kind = random.integer(0, 15);
+  const int width = kind < 2   ? random.integer(1, 62)
+                    : kind < 4 ? random.integer(30, 34)
+                    : kind < 5 ? random.integer(48, 52)
+                    : kind < 7 ? random.integer(15, 17)
+                               : random.integer(1, 20);
+  if (random.integer(0, 3) == 0) return turns(random.integer(0, 5) == 0 ? random.integer(30, 34) : random.integer(2, 16));
   const int fraction = random.integer(-3, width + 6);
   return random.coin() ? sfixed(width, fraction) : ufixed(width, fraction);
 }
@@ -61,7 +67,7 @@ TablePtr random_table(Random& random, const std::string& name) {
     table.index = random.coin() ? sfixed(width, random.integer(0, width)) : ufixed(width, random.integer(0, width));
     first.function = [](double x) { return x * x - x / 3; };
   }
-  first.format = sfixed(random.integer(3, 16), random.integer(0, 12));
+  first.format = sfixed(random.integer(0, 3) == 0 ? random.integer(15, 34) : random.integer(3, 16), random.integer(0, 12));
   table.columns.push_back(first);
   if (table.folding == Folding::quarter) {
     Column mirrored = first;
@@ -74,7 +80,8 @@ TablePtr random_table(Random& random, const std::string& name) {
   Column even;
   even.name = "even";
   even.function = [](double x) { return std::cos(x) - 0.3; };
-  even.format = random.coin() ? sfixed(random.integer(2, 12), 8) : turns(8);
+  const int even_bits = random.integer(0, 3) == 0 ? random.integer(15, 34) : random.integer(2, 12);
+  even.format = random.coin() ? sfixed(even_bits, 8) : random.coin() ? ufixed(even_bits, 8) : turns(8);
   table.columns.push_back(even);
   for (int i = 0; i < fields; ++i) {
     const int bits = random.integer(1, 4);

@@ -148,11 +148,13 @@ TEST_CASE("what does not apply is null, never nought") {
 
 TEST_CASE("light maps and the work of a frame are counted where a scheme has them") {
   Json result = result_document();
-  result["operators"]["frame"] = {{"built", {{"multipliers", 3}, {"adders", 2}}}, {"additional", {{"adders", 1}}}, {"executions", 100}};
+  result["operators"]["frame"] = {{"built", {{"multipliers", 3}, {"adders", 2}}},
+                                  {"used_per_fragment", {{"multipliers", 3}, {"adders", 2}, {"tables", 1}}},
+                                  {"executions", 100}};
   result["light_maps"] = Json::array({{{"reads", 1000}, {"hits", 800}, {"bytes", 1024}, {"bytes_written", 4096}},
                                       {{"reads", 1000}, {"hits", 400}, {"bytes", 1024}, {"bytes_written", 4096}}});
   const Json metrics = metrics_of(result);
-  CHECK(metrics["operations_per_frame"] == 600.0);
+  CHECK(metrics["operations_per_frame"] == 6 * result["fragments"].get<double>());
   CHECK(metrics["light_map_reads_per_fragment"] == 2.0);
   CHECK(metrics["light_map_hit_rate_percent"] == 60.0);
   CHECK(metrics["light_map_kilobytes"] == 2.0);

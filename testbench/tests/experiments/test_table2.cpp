@@ -40,6 +40,12 @@ Configuration defaults() {
   return Configuration(all_parameters());
 }
 
+/// The table without any setting, drawn once for all tests.
+const Table2& default_table() {
+  static const Table2 table = measure_table2(small_scenes(), defaults(), {});
+  return table;
+}
+
 Json find(const Json& document, const std::string& scene, const std::string& space, const std::string& test, const std::string& reference) {
   for (const Json& c : document["comparisons"])
     if (c["scene"] == scene && c["space"] == space && c["test"] == test && c["reference"] == reference) return c;
@@ -48,10 +54,10 @@ Json find(const Json& document, const std::string& scene, const std::string& spa
 
 TEST_CASE("every published value of Table 2 stands beside a measured one, in both spaces") {
   const Configuration configuration = defaults();
-  const Table2 table = measure_table2(small_scenes(), configuration, {});
+  const Table2& table = default_table();
   const Json document = Json::parse(table2_text(table, configuration, "json"));
   CHECK(document["schema"] == "bumpsim-table2");
-  CHECK(document["version"] == table2_json_version);
+  CHECK(document["schema_version"] == table2_json_version);
   for (const published::Table2Row& row : published::table2) {
     for (const char* space : {"object", "eye"}) {
       const Json c = find(document, std::string(row.scene), space, "proposed", std::string(row.reference));
@@ -74,7 +80,7 @@ TEST_CASE("every published value of Table 2 stands beside a measured one, in bot
 }
 
 TEST_CASE("measures are those of the pictures, and Kim's pictures are nearer to the conventional ones than the proposed") {
-  const Table2 table = measure_table2(small_scenes(), defaults(), {});
+  const Table2& table = default_table();
   for (const Table2Comparison& c : table.comparisons) {
     INFO(c.scene << " " << c.test << " " << c.reference);
     const Table2Picture* test = table.picture(c.scene, c.test, c.space);
@@ -134,12 +140,12 @@ TEST_CASE("the result does not depend on the number of jobs, and its formats agr
         std::vector<std::string> fields;
         std::istringstream stream(line + ",");
         for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-        REQUIRE(fields.size() == 13);
+        REQUIRE(fields.size() == 14);
         REQUIRE(fields[1] == c["scene"]);
-        REQUIRE(fields[7] == measure);
-        REQUIRE(fields[8] == channel);
-        REQUIRE(std::stod(fields[11]) == cell["measured"].get<double>());
-        REQUIRE((fields[10].empty() ? cell["published"].is_null() : std::stod(fields[10]) == cell["published"].get<double>()));
+        REQUIRE(fields[8] == measure);
+        REQUIRE(fields[9] == channel);
+        REQUIRE(std::stod(fields[12]) == cell["measured"].get<double>());
+        REQUIRE((fields[11].empty() ? cell["published"].is_null() : std::stod(fields[11]) == cell["published"].get<double>()));
         ++cells;
       }
     }
@@ -190,11 +196,105 @@ TEST_CASE("settings hold for every picture, but the space is the table's own") {
   CHECK_THROWS_AS(measure_table2(small_scenes(), configuration, {}), Error);
 }
 
+TEST_CASE("each scheme is drawn with each filter of the bump map, and with vectors Kim's pictures are the conventional ones") {
+  const Table2& table = default_table();
+  REQUIRE(table.filtered.size() == 3 * 2 * 2 * 3);
+  for (const Table2Scene& scene : table2_scenes) {
+    const std::string name(scene.name);
+    for (const ShadingSpace space : shading_spaces) {
+      INFO(name << " " << name_of(space));
+      for (const char* method : {"proposed", "kim"}) {
+        const Table2Comparison* own = table.comparison(name, method, "conventional", space);
+        const Table2Filtered* nearest = table.filtered_picture(name, method, space, "nearest");
+        REQUIRE(nearest != nullptr);
+        CHECK(nearest->nmse == own->whole.nmse);
+        CHECK(nearest->psnr_db == own->objects.psnr_db);
+      }
+      const Table2Filtered* vectors = table.filtered_picture(name, "kim", space, "vector");
+      CHECK(vectors->psnr_db > 45);
+      CHECK(vectors->psnr_db > table.filtered_picture(name, "kim", space, "nearest")->psnr_db + 10);
+      CHECK(vectors->psnr_db > table.filtered_picture(name, "kim", space, "linear")->psnr_db + 10);
+      // The method's own error is still there.
+      CHECK(table.filtered_picture(name, "proposed", space, "vector")->psnr_db < vectors->psnr_db - 10);
+    }
+  }
+}
+
+TEST_CASE("all formats hold the filters, and name those of the table") {
+  const Table2& table = default_table();
+  const Json document = Json::parse(table2_text(table, defaults(), "json"));
+  CHECK(document["assumptions"]["bump_map_filter"]["lee2007.map_filter"] == "nearest");
+  CHECK(document["assumptions"]["bump_map_filter"]["texture_fetch.filter"] == "bilinear");
+  REQUIRE(document["bump_map_filters"].size() == table.filtered.size());
+  std::istringstream lines(table2_text(table, defaults(), "csv"));
+  std::string line;
+  std::size_t cells = 0;
+  for (const Json& row : document["bump_map_filters"]) {
+    CHECK(row["table"] == (row["bump_filter"] == "nearest"));
+    CHECK(row["mean_nmse"]["published"].is_null() == (row["test"] == "kim"));
+    for (std::size_t i = 0; i < 4; ++i) {
+      do REQUIRE(std::getline(lines, line));
+      while (line.rfind("bump_map_filters", 0) != 0);
+      const Json& value = i == 3 ? row["psnr_db"] : row["nmse"][i == 0 ? "red" : i == 1 ? "green" : "blue"];
+      std::vector<std::string> fields;
+      std::istringstream stream(line + ",");
+      for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+      REQUIRE(fields.size() == 14);
+      REQUIRE((fields[1] == row["scene"] && fields[2] == row["space"] && fields[3] == row["test"] && fields[5] == row["bump_filter"]));
+      REQUIRE(std::stod(fields[12]) == value.get<double>());
+      ++cells;
+    }
+  }
+  CHECK(cells == 4 * table.filtered.size());
+  for (const char* format : {"text", "md"}) {
+    const std::string text = table2_text(table, defaults(), format);
+    for (const char* part : {"Dependence on the filter of the bump map", "bump map nearest texel", "Filter of the bump map:"})
+      CHECK(text.find(part) != std::string::npos);
+    CHECK(text.find("same N'") == std::string::npos);
+  }
+}
+
+TEST_CASE("a filter that the user sets is the table's own, and the section still has all three") {
+  Configuration configuration = defaults();
+  configuration.set_text("lee2007.map_filter", "vector", Location("--set"));
+  const Table2 table = measure_table2(small_scenes(), configuration, {});
+  REQUIRE(table.filtered.size() == default_table().filtered.size());
+  for (std::size_t i = 0; i < table.filtered.size(); ++i) {  // drawn with and without dates, by the two tables
+    CHECK(table.filtered[i].nmse == default_table().filtered[i].nmse);
+    CHECK(table.filtered[i].psnr_db == default_table().filtered[i].psnr_db);
+  }
+  for (const Table2Scene& scene : table2_scenes)
+    CHECK(table.comparison(std::string(scene.name), "proposed", "conventional", ShadingSpace::eye)->whole.nmse ==
+          table.filtered_picture(std::string(scene.name), "proposed", ShadingSpace::eye, "vector")->nmse);
+  CHECK(filter_assumption(table).find("Map of the proposed method: filtered as vectors; of Kim's: nearest texel.") != std::string::npos);
+  CHECK(table2_text(table, configuration, "text").find("Settings: lee2007.map_filter=vector.") != std::string::npos);
+}
+
+TEST_CASE("a filter that does not go with the settings leaves its rows empty and says why") {
+  Configuration configuration = defaults();
+  configuration.set_text("kim2001.transform", "direct", Location("--set"));
+  configuration.set_text("texture_fetch.filter", "nearest", Location("--set"));
+  const Table2 table = measure_table2(small_scenes(), configuration, {});
+  for (const Table2Filtered& picture : table.filtered) {
+    const bool refused = picture.test == "kim" && picture.filter == "vector";
+    REQUIRE(picture.refused.has_value() == refused);
+    REQUIRE(std::isnan(picture.psnr_db) == refused);
+  }
+  const std::string text = table2_text(table, configuration, "md");
+  CHECK(text.find("nan") == std::string::npos);
+  CHECK(text.find("kim, vector: kim2001.transform = direct does not go with kim2001.map_filter = vector.") != std::string::npos);
+  CHECK(text.find("With texture_fetch.filter=nearest") != std::string::npos);
+  CHECK(filter_assumption(table).find("differ by the filter") == std::string::npos);
+  CHECK(Json::parse(table2_text(table, configuration, "json"))["bump_map_filters"].size() == table.filtered.size());
+}
+
 TEST_CASE("findings quote the paper's own contradictions and the numbers of this table") {
-  const Table2 table = measure_table2(small_scenes(), defaults(), {});
+  const Table2& table = default_table();
   std::string all;
   for (const std::string& finding : table2_findings(table)) all += finding + "\n";
   CHECK(all.find("12 of its 18 NMSE values are not") != std::string::npos);
+  CHECK(all.find("What of this is the filter") != std::string::npos);
+  CHECK(all.find("isolates") == std::string::npos);
   CHECK(all.find("published sphere") != std::string::npos);
   CHECK(all.find("cube, red, 0.190 against 0.147") != std::string::npos);
   CHECK(all.find("Turned around the line of sight") == std::string::npos);  // not asked for

@@ -28,7 +28,7 @@ TEST_CASE("wrong arguments and settings are explained") {
       {"run", "scene"},
       {"rnu scene.toml", "try: bumpsim run"},
       {"frob", "there is no command 'frob'"},
-      {"frob", "run, compare, table1, table2, list, describe"},
+      {"frob", "run, compare, table1, table2"},
       {"run scene.toml --out ''", "--out"},
       {"run scene.toml --out=", "--out"},
       {"luts --out ''", "--out"},

@@ -215,8 +215,10 @@ TEST_CASE("a run counts what fills the light maps, what addresses them, and what
   CHECK(unit(r, "light_map_address").published.multipliers == 2);
   CHECK(unit(r, "light_map_address").published.adders == 4);
   CHECK(unit(r, "light_map_address").pipeline.has_value());
-  CHECK(unit(r, "frame").executions == 3 * (2 << 20));
-  CHECK(unit(r, "frame").published.multipliers == 10);
+  CHECK(unit(r, "frame").executions == 2 << 20);
+  CHECK(unit(r, "frame").lights == 3);
+  CHECK(unit(r, "frame").per_light.adders == unit(r, "frame").published.adders + 2);
+  CHECK(unit(r, "frame").published.multipliers == 10 + 2);  // times the light's intensity
   CHECK_FALSE(unit(r, "frame").pipeline.has_value());
   CHECK(unit(r, "colour").published.multipliers == 3);
 

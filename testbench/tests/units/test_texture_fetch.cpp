@@ -60,14 +60,15 @@ TEST_CASE("a bump map holds each level's own normals, encoded, and rounds them t
 }
 
 /// Runs the texture unit over a scene with the given filter and compares every fragment with sample() and a replay of the cache.
-void compare(Filter filter, int footprints_per_cycle) {
+void compare(Filter filter, int footprints_per_cycle, const CacheGeometry& geometry_of_cache) {
   const Scene scene = samples::crowded_scene();
   const auto context = samples::context(scene);
   const samples::Geometry geometry = samples::rasterize(context);
   TextureFetchConfig config;
   config.filter = filter;
   config.footprints_per_cycle = footprints_per_cycle;
-  config.cache = {4, 2, 64};
+  config.cache = geometry_of_cache;
+  const int line_bytes = config.cache.line_bytes;
   TextureFetch unit(context, config);
   TextureCache cache(config.cache);
   const Design design = samples::design();
@@ -79,8 +80,8 @@ void compare(Filter filter, int footprints_per_cycle) {
     colours.push_back(*object.colour);
     exact_maps.push_back(encode_bump_map(*object.normals, design.map));
     maps.push_back(quantise_texels(exact_maps.back(), design.map));
-    colour_layouts.emplace_back(colours.back(), end, 64);
-    map_layouts.emplace_back(maps.back(), colour_layouts.back().end(), 64);
+    colour_layouts.emplace_back(colours.back(), end, line_bytes);
+    map_layouts.emplace_back(maps.back(), colour_layouts.back().end(), line_bytes);
     end = map_layouts.back().end();
   }
   TextureCounters expected;
@@ -98,8 +99,9 @@ void compare(Filter filter, int footprints_per_cycle) {
         footprints += count > 4 ? 2 : 1;
         for (int i = 0; i < count; ++i) {
           const std::uint64_t address = layout.address(taps[i].level, taps[i].x, taps[i].y);
-          if (std::count(lines.begin(), lines.end(), address / 64)) continue;
-          lines.push_back(address / 64);
+          const std::uint64_t line = address / static_cast<std::uint64_t>(line_bytes);
+          if (std::count(lines.begin(), lines.end(), line)) continue;
+          lines.push_back(line);
           const bool hit = cache.access(address);
           ++expected.accesses;
           ++(hit ? expected.hits : expected.misses);
@@ -132,19 +134,22 @@ void compare(Filter filter, int footprints_per_cycle) {
   CHECK(unit.counters().accesses == expected.accesses);
   CHECK(unit.counters().hits == expected.hits);
   CHECK(unit.counters().misses == expected.misses);
-  CHECK(unit.counters().bytes == 64 * expected.misses);
+  CHECK(unit.counters().bytes == line_bytes * expected.misses);
   CHECK(expected.misses > 0);
-  CHECK(expected.hits > 0);
+  // A single line, or less than a fragment reads, may be lost before it is asked for again.
+  if (config.cache.sets * config.cache.ways >= 8) CHECK(expected.hits > 0);
 }
 
+// Caches that hold all lines of a fragment, and some that lose one before the next fragment asks for it.
 TEST_CASE("texels, lines, hits and intervals are those of a replay, nearest") {
-  compare(Filter::nearest, 2);
+  for (const CacheGeometry& cache : {CacheGeometry{4, 2, 64}, {1, 1, 64}, {2, 3, 16}}) compare(Filter::nearest, 2, cache);
 }
 TEST_CASE("texels, lines, hits and intervals are those of a replay, bilinear") {
-  compare(Filter::bilinear, 1);
+  for (const CacheGeometry& cache : {CacheGeometry{4, 2, 64}, {1, 1, 256}, {2, 3, 16}, {1, 4, 64}, {1, 7, 4}, {32, 4, 64}})
+    compare(Filter::bilinear, 1, cache);
 }
 TEST_CASE("texels, lines, hits and intervals are those of a replay, trilinear") {
-  compare(Filter::trilinear, 3);
+  for (const CacheGeometry& cache : {CacheGeometry{4, 2, 64}, {1, 4, 32}, {1, 12, 16}, {8, 1, 64}}) compare(Filter::trilinear, 3, cache);
 }
 
 /// A texture whose texels of level l are all `value(l)`.
@@ -205,36 +210,6 @@ TEST_CASE("each texture is read at the level where the longer side of the footpr
     CHECK(fragments > 500);
     // On a whole level the filter reads one footprint, up to the rounding above.
     if (c.colour_level == 0 && c.map_level == 0) CHECK(unit.counters().reads == 8 * fragments);
-  }
-}
-
-TEST_CASE("the quick footprint gives the taps and the mean of the general filter, bit for bit") {
-  std::mt19937 random(51);
-  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  for (const auto& [width, height] : {std::pair<int, int>{16, 8}, {7, 12}, {1, 5}}) {
-    for (const WrapMode wrap : {WrapMode::repeat, WrapMode::clamp}) {
-      auto texture = samples::texture(width, height, 3, 9);
-      texture->wrap_u = texture->wrap_v = wrap;
-      texture->kinds[1] = ChannelKind::angle;
-      for (int trial = 0; trial < 2000; ++trial) {
-        // Also points on texel centres and borders, and far outside.
-        double u = 6 * number() - 3, v = 6 * number() - 3;
-        if (trial % 3 == 0) u = std::floor(u * 4 * width) / (4 * width);
-        if (trial % 5 == 0) v *= 1000;
-        BilinearFootprint f;
-        REQUIRE(find_footprint(*texture, texture->levels[0], u, v, f));
-        TexelTap taps[8];
-        REQUIRE(texel_taps(*texture, Filter::bilinear, u, v, 0, taps) == 4);
-        REQUIRE((taps[0].x == f.x0 && taps[1].x == f.x1 && taps[0].y == f.y0 && taps[2].y == f.y1));
-        double expected[3], mean[3];
-        filter_texels(*texture, taps, 4, expected);
-        filter_footprint(*texture, texture->levels[0], f, [&](std::size_t c, double value) { mean[c] = value; });
-        REQUIRE((mean[0] == expected[0] && mean[1] == expected[1] && mean[2] == expected[2]));
-      }
-      BilinearFootprint f;
-      CHECK(!find_footprint(*texture, texture->levels[0], std::nan(""), 0, f));
-      CHECK(!find_footprint(*texture, texture->levels[0], 0, 1e30, f));
-    }
   }
 }
 

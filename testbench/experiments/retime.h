@@ -1,0 +1,38 @@
+#pragma once
+// One recorded trace dated under many configurations, several threads side by side: a row for each point of a grid. The rows do not depend
+// on the number of threads. No model of hardware.
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "datapath/error.h"
+#include "retiming/retimer.h"
+#include "testbench/experiments/retime_grid.h"
+
+namespace bump {
+
+struct SweepRow {
+  std::vector<StageStatistics> stages;  ///< empty if it failed
+  Cycle cycles = 0;
+  Bound bound;
+  double clock_megahertz = 100;
+  std::optional<Error> error;  ///< deadlock, or a graph that cannot be built
+};
+
+struct SweepOptions {
+  int jobs = 0;                                  ///< threads; 0: one per core
+  bool vectors = true;                           ///< date several configurations at once where that can be done
+  std::function<void(double)> progress;          ///< share of the points, 0 to 1
+  const std::atomic<bool>* cancelled = nullptr;  ///< when set, the sweep ends with Error(cancelled)
+};
+
+/// Rows in the order of the points. `base` holds what the grid does not set; the result of check() is the caller's to ask for.
+std::vector<SweepRow> sweep(Retimer& retimer, const Configuration& base, const SweepGrid& grid, const SweepOptions& options);
+
+/// --record FILE of a run: complete or not at all, as output_file.h says. Throws Error(input) if FILE lies in the result folder `out`.
+void check_record_file(const std::string& path, const std::string& out, bool force);
+
+}  // namespace bump
