@@ -31,10 +31,12 @@ struct Parameter {
 class Parameters {
  public:
   // Each declares one and returns it, so that it can be marked.
-  Parameter& integer(const std::string& key, std::int64_t fallback, std::int64_t low, std::int64_t high, const std::string& unit, const std::string& meaning);
+  Parameter& integer(const std::string& key, std::int64_t fallback, std::int64_t low, std::int64_t high, const std::string& unit,
+                     const std::string& meaning);
   Parameter& number(const std::string& key, double fallback, double low, double high, const std::string& unit, const std::string& meaning);
   Parameter& boolean(const std::string& key, bool fallback, const std::string& meaning);
-  Parameter& choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& choices, const std::string& meaning);
+  Parameter& choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& choices,
+                    const std::string& meaning);
 
   const Parameter* find(const std::string& key) const;
   const std::map<std::string, Parameter>& all() const { return parameters_; }

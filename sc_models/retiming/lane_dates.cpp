@@ -33,9 +33,9 @@ BUMP_INLINE Dates larger(const Dates& a, const Dates& b) {
 struct History {
   Dates* rows = nullptr;
   std::uint32_t mask = 0;
-  std::uint32_t distances = 0;                   ///< how many differ
-  std::array<std::uint32_t, width> distance{};   ///< the different ones
-  std::array<Dates, width> lanes{};              ///< all bits set where the lane has it
+  std::uint32_t distances = 0;                  ///< how many differ
+  std::array<std::uint32_t, width> distance{};  ///< the different ones
+  std::array<Dates, width> lanes{};             ///< all bits set where the lane has it
 
   BUMP_INLINE void write(std::uint32_t event, const Dates& dates) const { rows[event & mask] = dates; }
   /// For each lane the date of the event so far back as the lane looks.
@@ -165,7 +165,8 @@ BUMP_INLINE void pass_fragments(Pipe& p, const TokenStep& step) {
     LaneStage& environment = s[stage::environment];
     arrival = pass(environment, s[stage::texture_fetch], f, arrival, environment.interval, environment.latency);
     if (Maps)
-      arrival = pass_memory(s[stage::light_map_fetch], environment, p.memories[1], step.light_misses, f, arrival, maps_interval, maps_ready);
+      arrival =
+          pass_memory(s[stage::light_map_fetch], environment, p.memories[1], step.light_misses, f, arrival, maps_interval, maps_ready);
     LaneStage& illumination = s[stage::illumination];
     arrival = pass(illumination, before_illumination, f, arrival, illumination.interval, illumination.latency);
     LaneStage& sink = s[stage::frame_sink];
@@ -343,7 +344,9 @@ Retimed LaneDates::result(std::size_t lane) const {
     Cycle& last_interval = retimed.last_interval[static_cast<std::size_t>(place)];
     const Cycle own = timing.interval[static_cast<std::size_t>(kind)];
     statistics.name = timing.graph.stages[static_cast<std::size_t>(place)].name;
-    statistics.tokens = kind < stage::rasterizer ? program_.triangles : kind == stage::rasterizer ? program_.raster_tokens : program_.fragments;
+    statistics.tokens = kind < stage::rasterizer    ? program_.triangles
+                        : kind == stage::rasterizer ? program_.raster_tokens
+                                                    : program_.fragments;
     statistics.busy = statistics.tokens * own;
     if (statistics.tokens > 0) last_interval = own;
     for (std::size_t stream = 0; stream < traced::count; ++stream) {

@@ -20,8 +20,8 @@ struct TokenStep {
     std::int32_t interval = 1, lead = 0;
   };
   Kind kind = Kind::fragments;
-  bool releases = false;          ///< each of these tokens is the last of its triangle
-  std::uint16_t misses = 0;       ///< texture
+  bool releases = false;     ///< each of these tokens is the last of its triangle
+  std::uint16_t misses = 0;  ///< texture
   std::uint16_t light_misses = 0;
   std::uint32_t count = 1;
   Work first;   ///< vertex processor, or rasterizer

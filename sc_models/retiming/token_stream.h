@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "channels/timing_graph.h"
+#include "units/token_records.h"
 
 namespace bump {
 
@@ -52,8 +53,8 @@ class TokenCursor {
 class TokenStreamBuilder {
  public:
   void append(const TokenRecord& record, std::uint32_t count = 1);
-  void append(const std::vector<TokenRecord>& records) {
-    for (const TokenRecord& record : records) append(record);
+  void append(const TokenRecords& records) {
+    for (const TokenRun& run : records.runs()) append(run.record, static_cast<std::uint32_t>(run.count));
   }
   const TokenStream& stream() const { return stream_; }
 

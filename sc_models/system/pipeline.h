@@ -43,6 +43,7 @@ class Pipeline : public sc_core::sc_module {
   const IlluminationUnit& illumination() const { return illumination_; }
   const ColourUnit& colour() const { return colour_; }
   const FrameSink& frame_sink() const { return frame_sink_; }
+  FrameSink::Drawn release_frames(bool with_exact) { return frame_sink_.release(with_exact); }
 
  private:
   /// The illumination unit with the colour unit behind it: one stage of the pipeline.

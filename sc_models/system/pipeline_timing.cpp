@@ -51,7 +51,8 @@ const char* stage_name(int index) { return names[static_cast<std::size_t>(index)
 
 void declare_pipeline_parameters(Parameters& p) {
   p.choice("numeric", "fixed", {"fixed", "double"}, "arithmetic of the per-pixel datapaths: bit-accurate fixed point, or double precision");
-  p.number("clock.megahertz", 100, 0.001, 100000, "MHz", "clock of the whole pipeline; only turns cycles into frames per second").timing_only = true;
+  p.number("clock.megahertz", 100, 0.001, 100000, "MHz", "clock of the whole pipeline; only turns cycles into frames per second")
+      .timing_only = true;
   p.integer("fifos.depth", 4, 1, 1 << 20, "tokens", "slots of every FIFO whose own depth is 0").timing_only = true;
   for (int from = 0; from + 1 < stage::count; ++from) declare_fifo(p, from, from + 1);
   declare_fifo(p, stage::environment, stage::illumination);  // without light maps
@@ -59,13 +60,17 @@ void declare_pipeline_parameters(Parameters& p) {
   p.integer("datapath.latency.multiplier", 1, 0, 64, "cycles", "a multiplication").timing_only = true;
   p.integer("datapath.latency.table", 1, 0, 64, "cycles", "a table read").timing_only = true;
   p.integer("datapath.latency.clamp", 1, 0, 64, "cycles", "a saturation").timing_only = true;
-  p.integer("datapath.latency.divider_bits_per_cycle", 1, 1, 64, "bits", "quotient bits that a divider resolves each cycle").timing_only = true;
-  p.integer("datapath.latency.square_root_bits_per_cycle", 1, 1, 64, "bits", "root bits that a square rooter resolves each cycle").timing_only = true;
+  p.integer("datapath.latency.divider_bits_per_cycle", 1, 1, 64, "bits", "quotient bits that a divider resolves each cycle").timing_only =
+      true;
+  p.integer("datapath.latency.square_root_bits_per_cycle", 1, 1, 64, "bits", "root bits that a square rooter resolves each cycle")
+      .timing_only = true;
   for (const char* unit : {"conversion", "environment", "illumination"})
-    p.integer(std::string(unit) + ".multipliers", 0, 0, 4096, "multipliers", "built and time-shared; 0 builds one for every product").timing_only = true;
+    p.integer(std::string(unit) + ".multipliers", 0, 0, 4096, "multipliers", "built and time-shared; 0 builds one for every product")
+        .timing_only = true;
   for (int i = 0; i < stage::count; ++i) {
     if (i == stage::texture_fetch || i == stage::light_map_fetch) continue;  // they declare their own: waiting for memory takes more
-    p.integer(std::string(names[i]) + ".capacity", 0, 0, 1 << 20, "tokens", "tokens in flight; 0 means latency + 1, enough for one a cycle").timing_only = true;
+    p.integer(std::string(names[i]) + ".capacity", 0, 0, 1 << 20, "tokens", "tokens in flight; 0 means latency + 1, enough for one a cycle")
+        .timing_only = true;
   }
   p.integer("frame_sink.latency", 1, 1, 1024, "cycles", "write of a pixel").timing_only = true;
 }

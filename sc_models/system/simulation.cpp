@@ -227,13 +227,14 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   result.fragments = result.geometry.fragments;
   result.texture = pipeline.texture_fetch().counters();
   if (options.engine != Engine::untimed) result.bound = lower_bound(timing.graph, result.timing, run.last_interval());
-  result.hardware = pipeline.frame_sink().hardware();
-  if (options.measure) result.exact = pipeline.frame_sink().exact();
   result.angular_errors = pipeline.environment().meter().hardware();
   result.angular_errors_exact = pipeline.environment().meter().exact();
   result.interpolator_components = interpolator_components(*context);
   result.quantisation_floor_db = stated_floor_db(*context, static_cast<int>(configuration.integer("colour_unit.bits")));
-  result.diverged = pipeline.frame_sink().diverged();
+  FrameSink::Drawn drawn = pipeline.release_frames(options.measure);
+  result.hardware = std::move(drawn.hardware);
+  result.exact = std::move(drawn.exact);
+  result.diverged = std::move(drawn.diverged);
   result.clock_megahertz = megahertz;
   account(pipeline, *context, schedules, result);
   if (options.engine != Engine::untimed) check_conservation(result, timing.graph, run.last_interval());

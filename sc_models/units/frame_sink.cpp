@@ -1,6 +1,7 @@
 #include "units/frame_sink.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "datapath/lane_clones.h"
 
@@ -75,6 +76,14 @@ void FrameSink::write(const FragmentBlock& block, std::size_t lane, std::size_t 
   write_to(hardware_, block.hardware);
   if (context_->separate_exact()) write_to(exact_, block.exact);
   std::copy_n(&block.diverged[lane], count, &diverged_[pixel]);
+}
+
+FrameSink::Drawn FrameSink::release(bool with_exact) {
+  Drawn drawn;
+  if (with_exact) drawn.exact = context_->separate_exact() ? std::move(exact_) : hardware_;
+  drawn.hardware = std::move(hardware_);
+  drawn.diverged = std::move(diverged_);
+  return drawn;
 }
 
 }  // namespace bump

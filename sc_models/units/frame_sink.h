@@ -27,6 +27,13 @@ class FrameSink {
   /// The double-precision evaluation; the hardware's frame where blocks carry none of their own.
   const FrameBuffer& exact() const { return context_->separate_exact() ? exact_ : hardware_; }
 
+  /// Everything drawn, handed over without a copy; the sink is of no use afterwards. `exact` stays empty unless `with_exact`.
+  struct Drawn {
+    FrameBuffer hardware, exact;
+    std::vector<std::uint8_t> diverged;
+  };
+  Drawn release(bool with_exact);
+
  private:
   /// `count` lanes into neighbouring pixels.
   void write(const FragmentBlock& block, std::size_t lane, std::size_t pixel, std::size_t count);

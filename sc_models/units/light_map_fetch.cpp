@@ -47,14 +47,16 @@ void check_objects(const PipelineContext& context) {
 void LightMapFetchConfig::declare(Parameters& p) {
   p.integer("light_map_fetch.multipliers", 0, 0, 4096, "multipliers",
             "of the address, built and time-shared; 0 builds one for every product").timing_only = true;
-  p.integer("light_map_fetch.latency", 2, 1, 4096, "cycles", "look-up of a fragment whose words are in the cache, behind its address").timing_only = true;
+  p.integer("light_map_fetch.latency", 2, 1, 4096, "cycles", "look-up of a fragment whose words are in the cache, behind its address")
+      .timing_only = true;
   p.integer("light_map_fetch.capacity", 64, 1, 1 << 20, "tokens", "fragments in flight, waiting for memory or done").timing_only = true;
   p.integer("light_map_fetch.reads_per_cycle", 2, 1, 64, "words", "words of light maps that the cache serves each cycle");
   p.integer("light_map_fetch.cache.sets", 32, 1, 1 << 20, "sets", "light-map cache: sets, a power of two");
   p.integer("light_map_fetch.cache.ways", 4, 1, 1024, "lines", "light-map cache: lines of a set, replaced least recently used first");
   p.integer("light_map_fetch.cache.line_bytes", 64, 1, 4096, "bytes", "light-map cache: bytes of a line, a power of two");
   // No figures are published: a bank on the chip that holds the logic is nearer and wider than a texture memory beside it.
-  p.integer("light_memory.tag_latency", 1, 1, 4096, "cycles", "from the address of a light-map word to its request to memory").timing_only = true;
+  p.integer("light_memory.tag_latency", 1, 1, 4096, "cycles", "from the address of a light-map word to its request to memory").timing_only =
+      true;
   p.integer("light_memory.latency", 10, 1, 1 << 20, "cycles", "from the grant of a line to its arrival").timing_only = true;
   p.integer("light_memory.cycles_per_line", 2, 1, 1 << 20, "cycles", "occupation of the light maps' bank by a line").timing_only = true;
   p.integer("light_memory.outstanding", 8, 1, 4096, "lines", "misses in flight").timing_only = true;

@@ -144,7 +144,8 @@ int command_line(int argc, char* argv[]) {
   command->callback([&] { chosen = [&] { return table2_command(table2); }; });
 
   RetimeArguments retime;
-  command = program.add_subcommand("retime", "date a run recorded with --record again, for other depths, latencies, multiplier limits, memories");
+  command =
+      program.add_subcommand("retime", "date a run recorded with --record again, for other depths, latencies, multiplier limits, memories");
   command->add_option("trace", retime.trace, "file that run --record wrote")->required()->type_name("TRACE");
   add_configuration(*command, retime.configuration_files, retime.settings);
   command->add_option("--sweep", retime.sweeps, "values of one parameter, e.g. fifos.depth=1,2,4; repeated: the full product")

@@ -81,8 +81,8 @@ int run_command(const RunArguments& arguments) {
   stop_if_interrupted();
   report.out = out;
   if (!arguments.record.empty())
-    write_output_file(arguments.record, encode_trace(recorder.finish(scene, scheme, configuration, run.result().timing.cycles)), arguments.force,
-                      "--record");
+    write_output_file(arguments.record, encode_trace(recorder.finish(scene, scheme, configuration, run.result().timing.cycles)),
+                      arguments.force, "--record");
   write_result(out, report, arguments.force);
   trace.commit();
   fmt::print("{}", arguments.json ? json_text(report) : summary(report));

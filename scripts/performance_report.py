@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Puts the outputs of the benchmark programs in the folder given together as Markdown, and times whole runs and start-up beside them."""
+
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+import time
+
+ROUNDS = 7
+
+
+def seconds(command):
+    begin = time.monotonic()
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return time.monotonic() - begin
+
+
+def interleaved(commands):
+    """Median seconds of each command, taking turns."""
+    taken = [[] for _ in commands]
+    for _ in range(ROUNDS):
+        for i, command in enumerate(commands):
+            taken[i].append(seconds(command))
+    return [statistics.median(each) for each in taken]
+
+
+def whole_runs(work):
+    rows = []
+    for size in (512, 2048):
+        folder = work / f"scenes-{size}"
+        subprocess.run(["cp", "-r", "scenes", folder], check=True)
+        path = folder / "world_sphere.toml"
+        path.write_text(path.read_text().replace("width = 512", f"width = {size}").replace("height = 512", f"height = {size}"))
+        whole, engine = [], []
+        for _ in range(ROUNDS):
+            whole.append(seconds(["build/bumpsim", "run", path, "--no-quality", "--out", work / "run", "--force"]))
+            engine.append(json.loads((work / "run" / "result.json").read_text())["host"]["wall_s"])
+        rows.append((size, statistics.median(whole) / statistics.median(engine)))
+    return rows
+
+
+def main():
+    work = pathlib.Path(sys.argv[1])
+    processor = next((line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "unknown")
+    print("# Performance\n")
+    print(f"Written by `scripts/performance.sh`; one core, {processor}. Only ratios of one run mean anything: machines differ, and this one is shared.\n")
+    print("## Engines\n")
+    print("The simulation alone (`--no-quality`, neither reading the scene nor writing the result; encoding of bump maps and tables is in it).\n")
+    print((work / "engines.md").read_text())
+    print("With larger frames, where what is done once weighs less:\n")
+    print((work / "engines-large.md").read_text())
+    print("## Values\n")
+    print("Netlists evaluated in blocks, against the Lee 2007 datapath written by hand as one vectorised loop in double precision.\n")
+    print("```\n" + (work / "datapath.txt").read_text() + "```\n")
+    print("## Re-timing\n")
+    print("Million fragment-configurations a second on one core; bytes of the trace for a fragment.\n")
+    print("| trace | bytes | timeline | vectors, depths alike | vectors, all depths different |")
+    print("|--|--:|--:|--:|--:|")
+    for trace in json.loads((work / "retime.json").read_text()):
+        rate = trace["million_fragment_configurations_per_s"]
+        print(f"| {trace['scene']}, {trace['scheme']} | {trace['bytes_per_fragment']:.2f} | {rate['timeline, depths alike']:.0f} "
+              f"| {rate['vectors, depths alike']:.0f} | {rate['vectors, all depths different']:.0f} |")
+    sweep = ["build/bumpsim", "retime", work / "world_sphere.trace", "--format", "csv", "--jobs", "2",
+             "--sweep", "memory.latency=" + ",".join(str(10 * i) for i in range(1, 101)),
+             "--sweep", "fifos.depth=" + ",".join(str(i) for i in range(2, 102))]
+    print(f"\n10,000 configurations of world_sphere (memory latency x FIFO depth) with two threads: {seconds(sweep):.1f} s.\n")
+    print("## Whole runs\n")
+    for size, ratio in whole_runs(work):
+        print(f"* `run world_sphere --no-quality` at {size} x {size}, reading and writing included: {ratio:.1f} times the simulation's own time")
+    nothing, listing = interleaved([["build/testbench/bench/bench_nothing"], ["build/bumpsim", "list"]])
+    print(f"* `bumpsim list`: {1000 * (listing - nothing):.0f} ms more than a SystemC program that does nothing")
+    print("\nWhat bounds these figures, and what was tried: [testbench/bench](../testbench/bench/README.md).")
+
+
+if __name__ == "__main__":
+    main()
