@@ -3,12 +3,11 @@
 // a map of the world (512 x 256) on a sphere; it gives neither camera, light, material nor the height of the relief. What stands in for
 // them is here and nowhere else, all of it this project's assumption:
 //   * geometry, textures, relief and camera are those of the shipped scene files;
-//   * one point light of intensity 1, as far from the object's centre as the eye, at a stated angle from the eye as seen from there,
-//   towards
-//     the viewer's right. The side is a convention, and much hangs on it: table2 --angles turns the light around the line of sight;
-//   * the angles 65, 11 and 27 degrees and the material are those of an earlier calculation of this project with textures and cameras of
-//   its
-//     own, so that the two can be compared.
+//   * one point light of intensity 1, as far from the object's centre as the eye, at a stated angle from the eye as seen from there, to the
+//     viewer's right. The side is a convention, and much hangs on it: table2 --angles turns the light around the line of sight;
+//   * the angles 65, 11 and 27 degrees: a light far from the viewer, near it, and between the two. With the pole towards the viewer the
+//     method's error grows with the angle, so they span what the published values may come from;
+//   * an ordinary material, neither dull nor shiny.
 
 #include <array>
 #include <string_view>
