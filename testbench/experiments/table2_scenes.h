@@ -5,8 +5,7 @@
 //   * geometry, textures, relief and camera are those of the shipped scene files;
 //   * one point light of intensity 1, as far from the object's centre as the eye, at a stated angle from the eye as seen from there, to the
 //     viewer's right. The side is a convention, and much hangs on it: table2 --angles turns the light around the line of sight;
-//   * the angles 65, 11 and 27 degrees: a light far from the viewer, near it, and between the two. With the pole towards the viewer the
-//     method's error grows with the angle, so they span what the published values may come from;
+//   * the angles 65, 11 and 27 degrees: a light far from the viewer, near it, and between the two; table2 --angles shows what others give;
 //   * an ordinary material, neither dull nor shiny.
 
 #include <array>
