@@ -1,6 +1,7 @@
 #pragma once
 // A scene as the simulated hardware receives it: indexed triangle meshes with tangent frames, textures, lights, a camera. Plain data,
-// already validated by whoever read it. Shading is in object space, so objects are placed by rotation, translation and uniform scale only.
+// already validated by whoever read it. Shading is in the object's or the camera's axes, so objects are placed by rotation, translation and
+// uniform scale only.
 
 #include <cstdint>
 #include <glm/glm.hpp>
