@@ -61,8 +61,6 @@ DatedStage::DatedStage(const StageSpec& spec, std::vector<DatedFifo*> inputs, st
 
 void DatedStage::append(const TokenRecord& record, std::int64_t count) {
   const TokenRecord fitted = fitted_record(record, inputs_.size(), outputs_.size(), memory_ != nullptr);
-  const bool ordinary = fitted.release == (1U << inputs_.size()) - 1U && fitted.give == (1U << outputs_.size()) - 1U;
-  if (!ordinary && ordinary_until_ == never && count > 0) ordinary_until_ = runs_.appended();
   runs_.append(fitted, count);
 }
 

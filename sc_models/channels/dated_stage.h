@@ -36,9 +36,7 @@ class DatedStage {
   StageStatistics statistics() const;
 
  private:
-  static constexpr std::int64_t never = std::int64_t{1} << 60;
   friend class DatedChain;  // date several stages at once, on the same state
-  friend class DatedLanes;
 
   struct Chunk {
     std::int64_t count = 0;
@@ -64,8 +62,6 @@ class DatedStage {
   std::int64_t started_ = 0, delivered_ = 0;
   DateRing ready_;                       ///< max(s + lead + L, fill + 1) of the tokens in flight
   DateRing deliveries_;                  ///< w of the last C tokens
-  std::int64_t ordinary_until_ = never;  ///< first token that does not take, remove and give one item everywhere
-  Cycle pass_busy_ = 0;                  ///< intervals of the tokens that are on their way through a chain
   Cycle free_ = 0;                       ///< s(k-1) + ii(k-1)
   Cycle last_start_ = -1, last_delivery_ = -1;
   StageStatistics sums_;

@@ -83,6 +83,7 @@ struct Timeline::State {
   /// Dates what stage i can, and marks its neighbours. True if an earlier stage was marked.
   bool visit(std::size_t i, bool eager) {
     touched[i] = 0;
+    if (chain->holds(i)) return false;
     const DatedStage::Progress progress = stages[i].date(eager);
     if (progress.delivered)
       for (const std::size_t next : consumers[i]) touched[next] = 1;
@@ -99,7 +100,7 @@ struct Timeline::State {
   }
 
   Cycle latest() const {
-    Cycle date = -1;
+    Cycle date = chain->latest();
     for (const DatedStage& each : stages) date = std::max(date, each.last_delivery());
     return date;
   }
@@ -120,7 +121,10 @@ Timeline::~Timeline() = default;
 
 void Timeline::append(int stage, const TokenRecord* records, std::size_t count) {
   DatedStage& target = state_->stage(stage);
-  for (std::size_t i = 0; i < count; ++i) target.append(records[i], 1);
+  for (std::size_t i = 0, alike; i < count; i += alike) {
+    for (alike = 1; i + alike < count && same_record(records[i], records[i + alike]);) ++alike;
+    target.append(records[i], static_cast<std::int64_t>(alike));
+  }
 }
 
 void Timeline::append_uniform(int stage, const TokenRecord& record, std::size_t count) {
@@ -139,6 +143,7 @@ TimingResult Timeline::finish() {
   State& s = *state_;
   BUMP_ASSERT(!s.finished);
   s.advance();
+  s.chain->retire();
   s.finished = true;
 
   // Only now is the last item of each stream known, and with it the batches that need not fill up.

@@ -1,8 +1,8 @@
 #pragma once
 // The dated timing plane: exact dates by the recurrences of timing_graph.h, for any graph. The chain at the end of a graph is dated token
-// by token through all its stages (dated_chain.h, dated_lanes.h: quick); elsewhere stages run ahead of one another as far as dates are
-// known (a stage stops when an input item or the release of an output slot is not dated yet), so records may arrive in blocks of any
-// size. No SystemC: the engine that owns a Timeline lets kernel time follow its dates.
+// by token through all its stages (dated_chain.h: quick); elsewhere stages run ahead of one another as far as dates are known (a stage
+// stops when an input item or the release of an output slot is not dated yet), so records may arrive in blocks of any size. No SystemC:
+// the engine that owns a Timeline lets kernel time follow its dates.
 
 #include <memory>
 

@@ -7,6 +7,7 @@
 
 #include "datapath/invariant.h"
 #include "datapath/lane_clones.h"
+#include "retiming/trace_feeder.h"
 
 // Vectors are passed within this file only, where every function is built for the same machine.
 #pragma GCC diagnostic ignored "-Wpsabi"

@@ -18,10 +18,4 @@ struct Retimed {
 /// `watch` is called with the share that is done, 0 to 1, now and then; it may throw to end the work. Throws Error(deadlock) as a run does.
 Retimed replay(const TimingTrace& trace, const PipelineTiming& timing, const std::function<void(double)>& watch = {});
 
-/// The record that a stage's token has under a configuration: light-map fetch takes at least as long as its address.
-TokenRecord record_under(const TokenRecord& record, traced::Index stream, const PipelineTiming& timing);
-
-/// Kind of the stage that a stream belongs to.
-stage::Index stage_of(traced::Index stream);
-
 }  // namespace bump

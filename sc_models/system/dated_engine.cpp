@@ -13,8 +13,10 @@ void DatedEngine::follow(Cycle date) {
 
 void DatedEngine::work() {
   while (const auto records = in_records_.read()) {
+    host_clock_.start();
     feed(timeline_, *records, timing_, last_interval_);
     timeline_.advance();
+    host_clock_.stop();
     follow(timeline_.latest());
   }
   result_ = timeline_.finish();

@@ -42,4 +42,14 @@ Pipeline::Pipeline(const sc_core::sc_module_name& name, std::shared_ptr<const Pi
         if (watch_) watch_(vertex_processor_.counters().triangles);
       }) {}
 
+std::vector<HostTime> Pipeline::host_times() const {
+  std::vector<const UnitModule*> modules = {&vertex_processor_module_, &triangle_setup_module_, &rasterizer_module_,
+                                            &interpolators_module_,    &texture_fetch_module_,  &environment_module_};
+  if (light_map_fetch_module_) modules.push_back(light_map_fetch_module_.get());
+  modules.insert(modules.end(), {&illumination_module_, &frame_sink_module_});
+  std::vector<HostTime> times;
+  for (const UnitModule* module : modules) times.push_back({module->basename(), module->host_seconds()});
+  return times;
+}
+
 }  // namespace bump

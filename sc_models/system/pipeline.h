@@ -45,6 +45,9 @@ class Pipeline : public sc_core::sc_module {
   const FrameSink& frame_sink() const { return frame_sink_; }
   FrameSink::Drawn release_frames(bool with_exact) { return frame_sink_.release(with_exact); }
 
+  /// What the host has spent on each unit, in the order of the pipeline.
+  std::vector<HostTime> host_times() const;
+
  private:
   /// The illumination unit with the colour unit behind it: one stage of the pipeline.
   struct Shading {

@@ -1,10 +1,9 @@
 #include "system/simulation.h"
 
-#include <systemc>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <systemc>
 
 #include "channels/stepped_engine.h"
 #include "datapath/vertex_program.h"
@@ -114,6 +113,10 @@ class TimedRun {
     return dated_ ? dated_->result() : stepped_->result();
   }
 
+  /// Appends what the host spent on dates, where that is known apart from the kernel's work.
+  void add_host_time(std::vector<HostTime>& times) const {
+    if (dated_) times.push_back({"dates", dated_->host_seconds()});
+  }
   /// Initiation interval of the last token of each stage.
   const std::vector<Cycle>& last_interval() const { return last_interval_; }
 
@@ -201,6 +204,8 @@ Parameters all_parameters() {
 }
 
 SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Configuration& configuration, const SimulationOptions& options) {
+  HostClock preparation;
+  preparation.start();
   Designs designs = make_designs(scene, scheme, configuration);
   ContextOptions context_options;
   context_options.arithmetic = configuration.choice("numeric") == "fixed" ? Arithmetic::fixed : Arithmetic::real;
@@ -211,7 +216,8 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
 
   const std::int64_t triangles = context->triangles();
   const auto watch = [&options, triangles](std::int64_t entered) {
-    if (options.cancelled != nullptr && *options.cancelled) throw Error(ErrorKind::cancelled, {"interrupted", {}, "", "nothing was written"});
+    if (options.cancelled != nullptr && *options.cancelled)
+      throw Error(ErrorKind::cancelled, {"interrupted", {}, "", "nothing was written"});
     if (options.progress) options.progress(triangles > 0 ? static_cast<double>(entered) / static_cast<double>(triangles) : 1.0);
   };
   Pipeline pipeline("pipeline", context, configuration, watch);
@@ -220,6 +226,7 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   const double megahertz = configuration.number("clock.megahertz");
   // Kernel time is counted in whole picoseconds; cycles are integers of their own, so a rounded period does no harm.
   TimedRun run(pipeline, timing, options, sc_core::sc_time(1e6 / megahertz, sc_core::SC_PS));
+  preparation.stop();
 
   SimulationResult result;
   result.timing = run.run();
@@ -236,6 +243,9 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   result.exact = std::move(drawn.exact);
   result.diverged = std::move(drawn.diverged);
   result.clock_megahertz = megahertz;
+  result.host_times = pipeline.host_times();
+  result.host_times.insert(result.host_times.begin(), {"preparation", preparation.seconds()});
+  run.add_host_time(result.host_times);
   account(pipeline, *context, schedules, result);
   if (options.engine != Engine::untimed) check_conservation(result, timing.graph, run.last_interval());
   return result;

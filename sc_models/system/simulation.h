@@ -15,6 +15,7 @@
 #include "schemes/scheme.h"
 #include "units/counters.h"
 #include "units/frame_buffer.h"
+#include "units/host_clock.h"
 #include "units/scene.h"
 
 namespace bump {
@@ -26,8 +27,8 @@ struct TimingRecords;
 
 struct SimulationOptions {
   Engine engine = Engine::dated;
-  /// Evaluate the datapaths in double precision beside the fixed point, and measure the directions that the environment unit delivers. Without, a
-  /// run is faster and has no exact frame, no angular errors and no diverged pixels.
+  /// Evaluate the datapaths in double precision beside the fixed point, and measure the directions that the environment unit delivers.
+  /// Without, a run is faster and has no exact frame, no angular errors and no diverged pixels.
   bool measure = true;
   std::string trace;  ///< path of a VCD, stepped engine only; empty for none
   /// Called with the timing records of every block that retires, in order, before they are dated.
@@ -44,8 +45,8 @@ struct UnitCost {
   /// "light_map_address" (one `map` for each map that it addresses) and "frame" (what fills the maps, once for each entry, light and
   /// object)
   std::string name;
-  Inventory published;  ///< what the paper's table lists
-  Inventory addition;   ///< what the design needs beside it
+  Inventory published;          ///< what the paper's table lists
+  Inventory addition;           ///< what the design needs beside it
   std::int64_t executions = 0;  ///< times the netlist was executed: fragments times passes, fragments, or vertices
   Inventory per_light;          ///< of a vertex program: the part that an execution repeats for every further light
   int lights = 1;               ///< times that part is executed in one execution
@@ -62,9 +63,9 @@ struct UnitCost {
 struct TableUse {
   std::string unit, name, formula;
   std::int64_t entries = 0;
-  std::int64_t bits = 0;       ///< of one copy
-  int copies = 1;              ///< reads in parallel (and materials, where contents follow the material)
-  std::int64_t reads = 0;      ///< in the whole run
+  std::int64_t bits = 0;   ///< of one copy
+  int copies = 1;          ///< reads in parallel (and materials, where contents follow the material)
+  std::int64_t reads = 0;  ///< in the whole run
   bool addition = false;
 };
 
@@ -92,14 +93,16 @@ struct SimulationResult {
   std::vector<LightMapUse> light_maps;  ///< none without light maps
   TextureCounters texture;
   GeometryCounters geometry;
-  FrameBuffer hardware;        ///< what the simulated hardware drew
-  FrameBuffer exact;           ///< the same with the scheme's double evaluation (a copy when the arithmetic is double); empty if not measured
-  std::vector<AngularError> angular_errors;            ///< of the hardware's vectors
-  std::vector<AngularError> angular_errors_exact;      ///< of the scheme's double evaluation
-  int interpolator_components = 0;                     ///< besides u, v
-  double quantisation_floor_db = 0;      ///< PSNR that the scheme states for its widths, for this scene's lights and materials
-  std::vector<std::uint8_t> diverged;    ///< per pixel, 1 where the two evaluations stand on different sides of a jump of the formula
+  FrameBuffer hardware;  ///< what the simulated hardware drew
+  FrameBuffer exact;     ///< the same with the scheme's double evaluation (a copy when the arithmetic is double); empty if not measured
+  std::vector<AngularError> angular_errors;        ///< of the hardware's vectors
+  std::vector<AngularError> angular_errors_exact;  ///< of the scheme's double evaluation
+  int interpolator_components = 0;                 ///< besides u, v
+  double quantisation_floor_db = 0;                ///< PSNR that the scheme states for its widths, for this scene's lights and materials
+  std::vector<std::uint8_t> diverged;  ///< per pixel, 1 where the two evaluations stand on different sides of a jump of the formula
   double clock_megahertz = 100;
+  /// What the host did with its time: "preparation" (designs, tables, encoded maps), the units in order, "dates" (the dated engine only).
+  std::vector<HostTime> host_times;
 };
 
 /// Declares the parameters of the pipeline, of every unit and of all registered schemes.

@@ -12,8 +12,14 @@ void UnitModule::guard() {
 }
 
 void VertexProcessorModule::work() {
+  const auto next = [this](TriangleBlock& block) {
+    host_clock_.start();
+    const bool any = unit_.next(block);
+    host_clock_.stop();
+    return any;
+  };
   auto block = std::make_unique<TriangleBlock>();
-  while (unit_.next(*block)) {
+  while (next(*block)) {
     out_triangles_.write(std::move(block));
     if (progress_) progress_(unit_.counters().triangles);
     block = std::make_unique<TriangleBlock>();
@@ -22,14 +28,22 @@ void VertexProcessorModule::work() {
 }
 
 void RasterizerModule::work() {
-  while (const std::unique_ptr<TriangleBlock> block = in_triangles_.read()) unit_.process(*block);
+  while (const std::unique_ptr<TriangleBlock> block = in_triangles_.read()) {
+    host_clock_.start();
+    unit_.process(*block);
+    host_clock_.stop();
+  }
+  host_clock_.start();
   unit_.finish();
+  host_clock_.stop();
   out_fragments_.close();
 }
 
 void FrameSinkModule::work() {
   while (std::unique_ptr<FragmentBlock> block = in_fragments_.read()) {
+    host_clock_.start();
     unit_.process(*block);
+    host_clock_.stop();
     if (retire_) retire_(*block);
     pool_->give_back(std::move(block));
   }

@@ -11,6 +11,7 @@
 #include "channels/block_fifo.h"
 #include "units/block_pool.h"
 #include "units/frame_sink.h"
+#include "units/host_clock.h"
 #include "units/rasterizer.h"
 #include "units/triangle_block.h"
 #include "units/triangle_setup.h"
@@ -33,9 +34,12 @@ class UnitModule : public sc_core::sc_module {
     SC_HAS_PROCESS(UnitModule);
     SC_THREAD(guard);
   }
+  /// What the host has spent on the unit so far, without waiting.
+  double host_seconds() const { return host_clock_.seconds(); }
 
  protected:
   virtual void work() = 0;
+  HostClock host_clock_;  ///< to be stopped around whatever may wait
 
  private:
   void guard();
@@ -66,7 +70,9 @@ class BlockModule : public UnitModule {
  private:
   void work() override {
     while (std::unique_ptr<Block> block = in_blocks_.read()) {
+      host_clock_.start();
       unit_.process(*block);
+      host_clock_.stop();
       out_blocks_.write(std::move(block));
     }
     out_blocks_.close();
@@ -85,7 +91,12 @@ class RasterizerModule : public UnitModule {
                    const RasterizerConfig& config, std::shared_ptr<BlockPool> pool, BlockFifo<TriangleBlock>& in,
                    BlockFifo<FragmentBlock>& out)
       : UnitModule(name, failure),
-        unit_(std::move(context), config, std::move(pool), [&out](std::unique_ptr<FragmentBlock> block) { out.write(std::move(block)); }),
+        unit_(std::move(context), config, std::move(pool),
+              [this, &out](std::unique_ptr<FragmentBlock> block) {
+                host_clock_.stop();
+                out.write(std::move(block));
+                host_clock_.start();
+              }),
         in_triangles_(in),
         out_fragments_(out) {}
   const Rasterizer& unit() const { return unit_; }

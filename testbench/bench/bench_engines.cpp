@@ -10,6 +10,7 @@
 
 #include "system/simulation.h"
 #include "testbench/bench/interleaved.h"
+#include "testbench/bench/list_option.h"
 #include "testbench/program/configure.h"
 #include "testbench/program/shipped_scenes.h"
 #include "testbench/program/version.h"
@@ -28,17 +29,6 @@ struct Settings {
   bool json = false;
 };
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char letter : text) {
-    if (letter == ',')
-      parts.emplace_back();
-    else
-      parts.back() += letter;
-  }
-  return parts;
-}
-
 Settings settings_of(int argc, char* argv[]) {
   Settings s;
   for (int i = 1; i < argc; ++i) {
@@ -54,11 +44,11 @@ Settings settings_of(int argc, char* argv[]) {
     else if (option == "--size")
       s.size = std::max(1, std::atoi(value.c_str()));
     else if (option == "--scenes")
-      s.scenes = split(value);
+      s.scenes = bench::list_option(value);
     else if (option == "--schemes")
-      s.schemes = split(value);
+      s.schemes = bench::list_option(value);
     else if (option == "--depths")
-      s.depths = split(value);
+      s.depths = bench::list_option(value);
     else
       throw Error({"unknown option '" + option + "'", {}, "", ""});
   }
