@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "datapath/lane_clones.h"
+#include "units/large_pages.h"
 
 namespace bump {
 
@@ -31,17 +32,21 @@ FrameBuffer empty_frame(const Scene& scene) {
   frame.width = scene.width;
   frame.height = scene.height;
   const std::size_t pixels = static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height);
+  reserve_large(frame.object, pixels);
+  reserve_large(frame.depth, pixels);
+  reserve_large(frame.colour, 3 * pixels);
   frame.object.assign(pixels, -1);
   frame.depth.assign(pixels, 1.0);
-  frame.colour.resize(3 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i)
-    for (std::size_t c = 0; c < 3; ++c) frame.colour[3 * i + c] = scene.background[static_cast<int>(c)];
+  std::vector<double> row;
+  for (int x = 0; x < scene.width; ++x)
+    for (int c = 0; c < 3; ++c) row.push_back(scene.background[c]);
+  for (int y = 0; y < scene.height; ++y) frame.colour.insert(frame.colour.end(), row.begin(), row.end());
   return frame;
 }
 
 FrameSink::FrameSink(std::shared_ptr<const PipelineContext> context)
     : context_(std::move(context)), hardware_(empty_frame(*context_->scene)) {
-  if (context_->separate_exact()) exact_ = hardware_;
+  if (context_->separate_exact()) exact_ = empty_frame(*context_->scene);
   diverged_.assign(hardware_.object.size(), 0);
   colour_plane_ = context_->planes.index("colour.r");
 }

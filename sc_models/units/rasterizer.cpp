@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "datapath/invariant.h"
+#include "units/large_pages.h"
 #include "units/raster_lanes.h"
 
 namespace bump {
@@ -38,7 +39,9 @@ RasterizerConfig::RasterizerConfig(const Configuration& c)
 Rasterizer::Rasterizer(std::shared_ptr<const PipelineContext> context, const RasterizerConfig& config, std::shared_ptr<BlockPool> pool,
                        Emit emit)
     : context_(std::move(context)), config_(config), pool_(std::move(pool)), emit_(std::move(emit)) {
-  depth_.assign(static_cast<std::size_t>(context_->scene->width) * static_cast<std::size_t>(context_->scene->height), 1.0);
+  const std::size_t pixels = static_cast<std::size_t>(context_->scene->width) * static_cast<std::size_t>(context_->scene->height);
+  reserve_large(depth_, pixels);
+  depth_.assign(pixels, 1.0);
 }
 
 void Rasterizer::start_block() {
