@@ -137,7 +137,7 @@ int run(int argc, char* argv[]) {
         rows.push_back(measure(scene, scheme, std::max(1, std::atoi(size.c_str())), settings.rounds));
       }
   }
-  fmt::print("ns a fragment of each unit:\n\n{}\n{}", parts_table(rows), growth_table(rows));
+  fmt::print("{}\n{}", parts_table(rows), growth_table(rows));
   return 0;
 }
 
