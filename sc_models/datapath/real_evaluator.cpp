@@ -1,16 +1,18 @@
-// Double-precision evaluation: the algorithm itself. Full-turn angles wrap, nothing else is rounded; tables call their functions. Values
-// live in slots as long as something reads them, and a node that somebody asks for is kept from then on, as in fixed_evaluator.cpp.
+// Double-precision evaluation: the algorithm itself. Full-turn angles wrap, nothing else is rounded; tables call their functions
+// (real_steps.cpp). Values live in slots as long as something reads them, and a node that somebody asks for is kept from then on, as in
+// fixed_evaluator.cpp.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "datapath/evaluators.h"
 #include "datapath/invariant.h"
 #include "datapath/kept_nodes.h"
-#include "datapath/lane_math.h"
 #include "datapath/real_kernels.h"
+#include "datapath/real_steps.h"
 #include "datapath/slot_plan.h"
 
 namespace bump {
@@ -19,17 +21,6 @@ namespace {
 
 struct alignas(64) Lane {
   std::array<double, block_lanes> values{};
-};
-
-struct RealStep {
-  const Node* node = nullptr;
-  int index = -1;
-  std::array<int, 3> operands{-1, -1, -1};
-  std::array<const double*, 3> in{};
-  double* out = nullptr;
-  double factor = 1;  ///< shift
-  bool wraps = false;
-  const Table* table = nullptr;  ///< column
 };
 
 class RealEvaluator : public Evaluator {
@@ -110,20 +101,56 @@ class RealEvaluator : public Evaluator {
         same[i] = same[static_cast<std::size_t>(n.operands[0])];
         continue;
       }
-      RealStep step;
-      step.node = &n;
-      step.index = static_cast<int>(i);
-      step.wraps = wraps(n);
-      step.factor = n.op == Op::shift ? std::ldexp(1.0, n.amount) : 1.0;
-      for (std::size_t j = 0; j < n.operands.size(); ++j) step.operands[j] = same[static_cast<std::size_t>(n.operands[j])];
-      if (n.op == Op::column) {
-        const Node& read = node(static_cast<std::size_t>(n.operands[0]));
-        step.table = netlist_.tables()[static_cast<std::size_t>(read.table)].get();
-        for (std::size_t j = 1; j < read.operands.size(); ++j) step.operands[j] = same[static_cast<std::size_t>(read.operands[j])];
-      }
-      steps_.push_back(step);
+      if (n.op == Op::column && read_already(n)) continue;
+      steps_.push_back(step_of(static_cast<int>(i), same));
     }
     place(same);
+  }
+
+  const Table& table_of(const Node& column) const {
+    return *netlist_.tables()[static_cast<std::size_t>(node(static_cast<std::size_t>(column.operands[0])).table)];
+  }
+
+  /// A block function has computed all columns when the first of them was needed.
+  bool read_already(const Node& column) const {
+    if (!table_of(column).block) return false;
+    return std::any_of(steps_.begin(), steps_.end(),
+                       [&](const RealStep& s) { return s.table != nullptr && s.node->operands[0] == column.operands[0]; });
+  }
+
+  bool holds_turn(int operand) const { return node(static_cast<std::size_t>(operand)).format.wraps(); }
+  bool combines_turns(const Node& n) const {
+    const bool combines = n.op == Op::add || n.op == Op::join || n.op == Op::sub || n.op == Op::negate || n.op == Op::half_turn;
+    return combines && std::all_of(n.operands.begin(), n.operands.end(), [&](int operand) { return holds_turn(operand); });
+  }
+  bool selects_turn(const Node& n) const { return n.op == Op::select && holds_turn(n.operands[1]) && holds_turn(n.operands[2]); }
+
+  RealStep step_of(int index, const std::vector<int>& same) const {
+    const Node& n = node(static_cast<std::size_t>(index));
+    RealStep step;
+    step.node = &n;
+    step.made = {index};
+    step.of_turns = wraps(n) && combines_turns(n);
+    step.wraps = {wraps(n) && !step.of_turns && !selects_turn(n)};
+    step.factor = n.op == Op::shift ? std::ldexp(1.0, n.amount) : 1.0;
+    for (std::size_t j = 0; j < n.operands.size(); ++j) step.operands[j] = same[static_cast<std::size_t>(n.operands[j])];
+    if (n.op != Op::column) return step;
+    const Table& table = table_of(n);
+    step.table = &table;
+    const Node& read = node(static_cast<std::size_t>(n.operands[0]));
+    for (std::size_t j = 1; j < read.operands.size(); ++j) {
+      const auto operand = static_cast<std::size_t>(read.operands[j]);
+      step.operands[j] = same[operand];
+      step.wraps_index[j] = table.fields[j - 1].index.wraps() && !node(operand).format.wraps();
+    }
+    if (table.block) {
+      // A table's columns follow it in the list.
+      step.made.resize(table.columns.size());
+      std::iota(step.made.begin(), step.made.end(), n.operands[0] + 1);
+      step.wraps.clear();
+      for (const Column& column : table.columns) step.wraps.push_back(column.format.wraps());
+    }
+    return step;
   }
 
   void place(const std::vector<int>& same) const {
@@ -135,7 +162,7 @@ class RealEvaluator : public Evaluator {
       std::vector<int> read;
       for (const int operand : step.operands)
         if (operand >= 0 && own_.count(operand) == 0) read.push_back(operand);
-      plan.step({step.index}, std::move(read));
+      plan.step(step.made, std::move(read));
     }
     const std::vector<int> slots = plan.assign([](int) { return 0; });
     slots_.resize(static_cast<std::size_t>(plan.slots(0)));
@@ -151,66 +178,12 @@ class RealEvaluator : public Evaluator {
     for (RealStep& step : steps_) {
       for (std::size_t j = 0; j < step.in.size(); ++j)
         if (step.operands[j] >= 0) step.in[j] = values_[static_cast<std::size_t>(step.operands[j])];
-      step.out = values_[static_cast<std::size_t>(step.index)];
+      for (const int made : step.made) step.out.push_back(values_[static_cast<std::size_t>(made)]);
     }
   }
 
   void run() const {
-    for (const RealStep& step : steps_) {
-      run(step, lanes_);
-      if (step.wraps) real_lanes::wrap(step.out, lanes_);
-    }
-  }
-
-  static void read(const RealStep& s, int lanes) {
-    const Column& column = s.table->columns[static_cast<std::size_t>(s.node->amount)];
-    if (!s.table->is_map()) return column.function.block(s.in[0], s.out, lanes);
-    for (int i = 0; i < lanes; ++i) {
-      std::array<double, 3> index{s.in[0][i]};
-      for (std::size_t j = 0; j < s.table->fields.size(); ++j) index[j + 1] = wrap_turns(s.in[j + 1][i], s.table->fields[j].index);
-      s.out[i] = column.map_function(index.data());
-    }
-  }
-
-  static void run(const RealStep& s, int lanes) {
-    const auto [a, b, c] = s.in;
-    switch (s.node->op) {
-      case Op::add:
-      case Op::join:
-        return real_lanes::add(a, b, s.out, lanes);
-      case Op::sub:
-        return real_lanes::subtract(a, b, s.out, lanes);
-      case Op::mul:
-        return real_lanes::multiply(a, b, s.out, lanes);
-      case Op::div:
-        return real_lanes::divide(a, b, s.out, lanes);
-      case Op::sqrt:
-        return real_lanes::root(a, s.out, lanes);
-      case Op::table:
-        std::copy(a, a + lanes, s.out);
-        return;
-      case Op::column:
-        return read(s, lanes);
-      case Op::shift:
-        return real_lanes::scale(a, s.factor, s.out, lanes);
-      case Op::negate:
-        return real_lanes::negate(a, s.out, lanes);
-      case Op::absolute:
-        return real_lanes::absolute(a, s.out, lanes);
-      case Op::half_turn:
-        return real_lanes::add_half(a, s.out, lanes);
-      case Op::clamp:
-        return real_lanes::clamp(a, s.node->low, s.node->high, s.out, lanes);
-      case Op::select:
-        return real_lanes::select(a, b, c, s.out, lanes);
-      case Op::is_negative:
-        return real_lanes::is_negative(a, s.out, lanes);
-      case Op::is_beyond_quarter:
-        return real_lanes::is_beyond_quarter(a, s.out, lanes);
-      case Op::input:
-      case Op::constant:
-        return;
-    }
+    for (const RealStep& step : steps_) run_real_step(step, lanes_);
   }
 
   const Netlist& netlist_;

@@ -31,6 +31,22 @@ BUMP_LANE_LOOP void root(const double* __restrict a, double* __restrict out, int
   for (int i = 0; i < lanes; ++i) out[i] = std::sqrt(a[i]);
 }
 
+BUMP_LANE_LOOP void add_turns(const double* __restrict a, const double* __restrict b, double* __restrict out, int lanes) {
+  for (int i = 0; i < lanes; ++i) out[i] = once_to_half_open_turn(a[i] + b[i]);
+}
+
+BUMP_LANE_LOOP void subtract_turns(const double* __restrict a, const double* __restrict b, double* __restrict out, int lanes) {
+  for (int i = 0; i < lanes; ++i) out[i] = once_to_half_open_turn(a[i] - b[i]);
+}
+
+BUMP_LANE_LOOP void negate_turns(const double* __restrict a, double* __restrict out, int lanes) {
+  for (int i = 0; i < lanes; ++i) out[i] = once_to_half_open_turn(-a[i]);
+}
+
+BUMP_LANE_LOOP void add_half_turn(const double* __restrict a, double* __restrict out, int lanes) {
+  for (int i = 0; i < lanes; ++i) out[i] = once_to_half_open_turn(a[i] + 0.5);
+}
+
 BUMP_LANE_LOOP void scale(const double* __restrict a, double factor, double* __restrict out, int lanes) {
   for (int i = 0; i < lanes; ++i) out[i] = a[i] * factor;
 }

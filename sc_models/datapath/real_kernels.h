@@ -14,6 +14,11 @@ void subtract(ConstValues a, ConstValues b, Values out, int lanes);
 void multiply(ConstValues a, ConstValues b, Values out, int lanes);
 void divide(ConstValues a, ConstValues b, Values out, int lanes);
 void root(ConstValues a, Values out, int lanes);
+/// Of turns in [-0.5, 0.5), and so is the result.
+void add_turns(ConstValues a, ConstValues b, Values out, int lanes);
+void subtract_turns(ConstValues a, ConstValues b, Values out, int lanes);
+void negate_turns(ConstValues a, Values out, int lanes);
+void add_half_turn(ConstValues a, Values out, int lanes);
 void scale(ConstValues a, double factor, Values out, int lanes);
 void negate(ConstValues a, Values out, int lanes);
 void absolute(ConstValues a, Values out, int lanes);

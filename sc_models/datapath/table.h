@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "datapath/format.h"
+#include "datapath/real_block.h"
 #include "datapath/real_function.h"
 
 namespace bump {
@@ -62,6 +63,9 @@ struct Table {
   bool per_material = false;     ///< contents follow the material: one copy per material in the scene
   std::vector<MapField> fields;  ///< index words behind the first, at most two; any makes the table a map
   std::vector<Column> columns;
+  /// What the columns' functions compute, for a block of the double evaluation: the same functions to two units in the last place, in
+  /// vector code (real_tables.h). Optional; words are never made by it.
+  BlockFunction block;
 
   /// Table 1 of Lee 2007 calls tables with more than one index maps.
   bool is_map() const { return !fields.empty(); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datapath/real_tables.h"
+
 namespace bump {
 
 namespace {
@@ -12,7 +14,7 @@ constexpr double smallest_divisor = 1e-13;  // keeps the double evaluation finit
 constexpr int reciprocal_integer_bits = 8;
 
 Table one_column(const std::string& name, const char* formula, const Format& index, Folding folding, int address_bits,
-                 std::function<double(double)> function, const Format& format) {
+                 RealFunction function, const Format& format) {
   Table table;
   table.name = name;
   table.formula = formula;
@@ -43,13 +45,16 @@ TablePtr arc_sine_table(const std::string& name, const Format& index, int addres
       name, "asin(x) / 2 pi", index, Folding::magnitude, address_bits,
       [](double x) { return std::asin(std::clamp(x, -1.0, 1.0)) / two_pi; }, angle_format);
   table.columns.front().symmetry.odd_about_zero = true;
+  table.block = real_tables::arc_sine();
   return share(std::move(table));
 }
 
 TablePtr arc_cosine_table(const std::string& name, const Format& index, int address_bits, const Format& angle_format) {
-  return share(one_column(
+  Table table = one_column(
       name, "acos(|x|) / 2 pi", index, Folding::magnitude, address_bits,
-      [](double x) { return std::acos(std::min(std::abs(x), 1.0)) / two_pi; }, angle_format));
+      [](double x) { return std::acos(std::min(std::abs(x), 1.0)) / two_pi; }, angle_format);
+  table.block = real_tables::arc_cosine();
+  return share(std::move(table));
 }
 
 TablePtr arc_tangent_table(const std::string& name, const Format& index, int address_bits, const Format& angle_format) {
@@ -57,6 +62,7 @@ TablePtr arc_tangent_table(const std::string& name, const Format& index, int add
       name, "atan(x) / 2 pi, x >= 0", index, Folding::floating, address_bits, [](double x) { return std::atan(x) / two_pi; }, angle_format);
   table.exponent_bits = 4;
   table.min_exponent = -8;
+  table.block = real_tables::arc_tangent();
   return share(std::move(table));
 }
 
@@ -65,6 +71,7 @@ TablePtr reciprocal_table(const std::string& name, const Format& index, int addr
       name, "1 / x, x >= 0", index, Folding::floating, address_bits, [](double x) { return 1 / std::max(x, smallest_divisor); }, word);
   table.exponent_bits = 3;
   table.min_exponent = -reciprocal_integer_bits;
+  table.block = real_tables::reciprocal(smallest_divisor);
   table.columns.front().name = "value";
   return share(std::move(table));
 }

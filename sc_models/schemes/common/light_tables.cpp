@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datapath/real_tables.h"
+
 namespace bump {
 
 namespace {
 
-TablePtr light_table(const std::string& name, const std::string& formula, const Format& index, int address_bits,
-                     std::function<double(double)> function) {
+TablePtr light_table(const std::string& name, const std::string& formula, const Format& index, int address_bits, RealFunction function,
+                     BlockFunction block) {
   Table table;
   table.name = name;
   table.formula = formula;
@@ -20,6 +22,7 @@ TablePtr light_table(const std::string& name, const std::string& formula, const 
   column.function = std::move(function);
   column.format = light_format();
   table.columns.push_back(column);
+  if (!index.is_real) table.block = std::move(block);  // light of vertices becomes words of the hardware: the bits of the C library
   return std::make_shared<const Table>(table);
 }
 
@@ -36,12 +39,15 @@ Format clamped_dot_format(int fraction) {
 }
 
 TablePtr diffuse_table(const Format& index, int address_bits, const Material& material) {
-  return light_table("DIFF", "kd x", index, address_bits, [kd = material.diffuse](double x) { return kd * x; });
+  return light_table(
+      "DIFF", "kd x", index, address_bits, [kd = material.diffuse](double x) { return kd * x; }, real_tables::proportion(material.diffuse));
 }
 
 TablePtr specular_table(const Format& index, int address_bits, const Material& material) {
-  return light_table("SPEC", "ks x^n", index, address_bits,
-                     [ks = material.specular, n = material.shininess](double x) { return x > 0 ? ks * std::pow(x, n) : 0.0; });
+  return light_table(
+      "SPEC", "ks x^n", index, address_bits,
+      [ks = material.specular, n = material.shininess](double x) { return x > 0 ? ks * std::pow(x, n) : 0.0; },
+      real_tables::scaled_power(material.specular, material.shininess));
 }
 
 double angular_slope(const Material& material) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "datapath/real_tables.h"
+
 namespace bump {
 
 namespace {
@@ -19,6 +21,8 @@ TablePtr octant_table(const std::string& name, const Format& index, int address_
   column.function = [](double x) { return std::atan(x) / two_pi; };
   column.format = angle;
   table.columns.push_back(column);
+  // Vertex angles become words of the hardware: the bits of the C library, whatever the arithmetic of the units.
+  if (!index.is_real) table.block = real_tables::arc_tangent();
   return std::make_shared<const Table>(table);
 }
 

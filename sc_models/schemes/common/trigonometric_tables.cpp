@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "datapath/real_tables.h"
+
 namespace bump {
 
 namespace {
@@ -45,18 +47,21 @@ Format sine_format(int word_bits) {
 TablePtr sine_cosine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
   Table table = quarter_table(name, "sin 2 pi x, cos 2 pi x", index, address_bits);
   table.columns = {sine_column(word_bits), cosine_column(word_bits)};
+  table.block = real_tables::sine_cosine();
   return std::make_shared<const Table>(table);
 }
 
 TablePtr sine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
   Table table = quarter_table(name, "sin 2 pi x", index, address_bits);
   table.columns = {sine_column(word_bits)};
+  table.block = real_tables::sine();
   return std::make_shared<const Table>(table);
 }
 
 TablePtr cosine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
   Table table = quarter_table(name, "cos 2 pi x", index, address_bits);
   table.columns = {cosine_column(word_bits)};
+  table.block = real_tables::cosine();
   return std::make_shared<const Table>(table);
 }
 
@@ -68,6 +73,7 @@ TablePtr cosine_half_squared_table(const std::string& name, const Format& index,
   column.function = [](double turns) { return 0.5 + 0.5 * std::cos(two_pi * turns); };
   column.format = ufixed(word_bits, word_bits);
   table.columns = {column};
+  table.block = real_tables::cosine_half_squared();
   return std::make_shared<const Table>(table);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datapath/real_tables.h"
+
 namespace bump {
 
 namespace {
@@ -32,6 +34,7 @@ TablePtr reciprocal_root_table(const Format& squared, int address_bits, int word
   column.function = [](double x) { return 1.0 / std::sqrt(std::max(x, std::ldexp(1.0, root_lowest_exponent))); };
   column.format = ufixed(words, words - 4);  // up to sqrt(128) = 11.3
   table.columns.push_back(column);
+  table.block = real_tables::reciprocal_root(std::ldexp(1.0, root_lowest_exponent));
   return std::make_shared<const Table>(table);
 }
 

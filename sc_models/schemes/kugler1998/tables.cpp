@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datapath/lane_clones.h"
+#include "datapath/real_tables.h"
+#include "datapath/real_turns.h"
+
 namespace bump::kugler1998 {
 
 namespace {
@@ -21,7 +25,7 @@ Table make_table(const std::string& name, const std::string& formula, const Form
   return table;
 }
 
-Column make_column(const std::string& name, const Format& format, std::function<double(double)> function) {
+Column make_column(const std::string& name, const Format& format, RealFunction function) {
   Column column;
   column.name = name;
   column.function = std::move(function);
@@ -46,6 +50,33 @@ Meridian bumped(const double* at, const KuglerParameters& p) {
           along * std::cos(normal) - across * std::sin(normal)};
 }
 
+/// Of BUMP: turns for a step of its codes. `change` is 1 where the map holds the change of theta, else 0.
+struct BumpScales {
+  double theta, tilt, change;
+};
+
+/// What BUMP's map functions compute.
+BUMP_LANE_LOOP void bump_lanes(const double* __restrict phi, const double* __restrict theta_code, const double* __restrict tilt_code,
+                               BumpScales scales, double* __restrict theta, double* __restrict delta, int lanes) {
+  for (int i = 0; i < lanes; ++i) {
+    const double normal_theta = theta_code[i] * scales.theta;
+    const SineCosine azimuth = sine_cosine_of_turns(phi[i]), normal = sine_cosine_of_turns(normal_theta),
+                     tilt = sine_cosine_of_turns(tilt_code[i] * scales.tilt);
+    const double across = tilt.sine * azimuth.cosine, along = tilt.cosine;
+    const double x = across * normal.cosine + along * normal.sine, y = tilt.sine * azimuth.sine,
+                 z = along * normal.cosine - across * normal.sine;
+    theta[i] = arc_tangent_in_turns(std::sqrt(x * x + y * y), z) - scales.change * normal_theta;
+    delta[i] = arc_tangent_in_turns(y, x);
+  }
+}
+
+BUMP_LANE_LOOP void secant_lanes(const double* __restrict x, double* __restrict secant, int lanes) {
+  for (int i = 0; i < lanes; ++i) {
+    const SineCosine both = sine_cosine_of_turns(std::fabs(x[i]) / 2);
+    secant[i] = 1 / (both.cosine < both.sine ? both.sine : both.cosine);
+  }
+}
+
 }  // namespace
 
 Format tangent_format() {
@@ -59,6 +90,7 @@ TablePtr reciprocal_table(const KuglerParameters& p) {
   table.min_exponent = -bits;
   table.columns = {make_column("value", ufixed(bits + 1 + reciprocal_fraction, reciprocal_fraction),
                                [](double x) { return 1 / std::max(x, smallest_divisor); })};
+  table.block = real_tables::reciprocal(smallest_divisor);
   return share(std::move(table));
 }
 
@@ -69,6 +101,7 @@ TablePtr arc_tangent_table(const KuglerParameters& p) {
   table.columns = {
       make_column("angle", uangle(p.angle_bits - 2, p.angle_bits), [](double x) { return std::atan(x) / two_pi; }),
       make_column("code", p.theta_code(), [last = last_code(p.map_theta_bits)](double x) { return std::atan(x) * 4 / two_pi * last; })};
+  table.block = real_tables::arc_tangent_and_code(4 * last_code(p.map_theta_bits));
   return share(std::move(table));
 }
 
@@ -79,6 +112,7 @@ TablePtr secant_table(const KuglerParameters& p) {
     const double phi = std::abs(x) * two_pi / 2;
     return 1 / std::max(std::cos(phi), std::sin(phi));
   })};
+  table.block = [](const double* const* x, double* const* y, int lanes) { secant_lanes(x[0], y[0], lanes); };
   return share(std::move(table));
 }
 
@@ -104,12 +138,15 @@ TablePtr bump_table(const KuglerParameters& p) {
     return std::atan2(v.y, v.x) / two_pi;
   };
   table.columns = {theta, delta};
+  const BumpScales scales{0.25 / last_code(p.map_theta_bits), p.max_tilt / 360 / last_code(p.map_tilt_bits), change ? 1.0 : 0.0};
+  table.block = [scales](const double* const* x, double* const* y, int lanes) { bump_lanes(x[0], x[1], x[2], scales, y[0], y[1], lanes); };
   return share(std::move(table));
 }
 
 TablePtr paraboloid_table(const KuglerParameters& p) {
   Table table = make_table("RECIP_1", "1 / x, 1 <= x < 2", ufixed(p.word_bits + 1, p.word_bits), Folding::floating, p.table_bits);
   table.columns = {make_column("value", ufixed(p.word_bits + 1, p.word_bits), [](double x) { return 1 / std::max(x, 0.5); })};
+  table.block = real_tables::reciprocal(0.5);
   return share(std::move(table));
 }
 

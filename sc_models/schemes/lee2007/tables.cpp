@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datapath/lane_clones.h"
+#include "datapath/real_tables.h"
+#include "datapath/real_turns.h"
 #include "schemes/common/inverse_tables.h"
 #include "schemes/common/trigonometric_tables.h"
 
@@ -23,7 +26,7 @@ Table make_table(const char* name, const char* formula, const Format& index, Fol
   return table;
 }
 
-Column make_column(const char* name, std::function<double(double)> function, const Format& format) {
+Column make_column(const char* name, RealFunction function, const Format& format) {
   Column column;
   column.name = name;
   column.function = std::move(function);
@@ -45,6 +48,18 @@ double half_over(double x) {
   return std::min(largest_reciprocal, 0.5 / std::max(std::abs(x), 0.1 / largest_reciprocal));
 }
 
+BUMP_LANE_LOOP void reciprocals(const double* __restrict x, double* __restrict of_sine, double* __restrict of_cosine, int lanes) {
+  // The bounds of half_over(), written so that the loop vectorises.
+  constexpr double smallest = 0.1 / largest_reciprocal;
+  for (int i = 0; i < lanes; ++i) {
+    const SineCosine both = sine_cosine_of_turns(x[i]);
+    const double sine = std::fabs(both.sine), cosine = std::fabs(both.cosine);
+    const double over_sine = 0.5 / (sine < smallest ? smallest : sine), over_cosine = 0.5 / (cosine < smallest ? smallest : cosine);
+    of_sine[i] = over_sine > largest_reciprocal ? largest_reciprocal : over_sine;
+    of_cosine[i] = over_cosine > largest_reciprocal ? largest_reciprocal : over_cosine;
+  }
+}
+
 /// Magnitudes only: the signs of sin Z and cos Z are the top bits of Z.
 TablePtr reciprocal_table(const LeeParameters& p) {
   Table table = make_table("RECIP", "|1 / (2 sin 2 pi x)|, |1 / (2 cos 2 pi x)|", p.inner_angle(), Folding::quarter, p.table_bits);
@@ -55,6 +70,7 @@ TablePtr reciprocal_table(const LeeParameters& p) {
   table.columns = {make_column(
                        "half_over_sin", [](double x) { return half_over(std::sin(two_pi * x)); }, word),
                    of_cosine};
+  table.block = [](const double* const* x, double* const* y, int lanes) { reciprocals(x[0], y[0], y[1], lanes); };
   return share(table);
 }
 
@@ -86,11 +102,13 @@ RotationTables rotation_tables(const LeeParameters& p) {
   Table proportion = make_table("T_prop", "asin(x) / 90 deg", proportion_format(p), Folding::none, p.inverse_table_bits);
   proportion.columns = {make_column(
       "prop", [](double x) { return arc_sine_of_fraction(x) * 4 / two_pi; }, proportion_format(p))};
+  proportion.block = real_tables::arc_sine(4, 0);
   t.proportion = share(proportion);
   t.cosine_input = cosine_table("COS_INPUT", p.input_angle(), p.table_bits, p.word_bits);
   Table quarter = make_table("ASIN_YK", "asin(x) / 2 pi, 0 <= x <= 1", proportion_format(p), Folding::none, p.inverse_table_bits);
   quarter.columns = {make_column(
       "angle", [](double x) { return arc_sine_of_fraction(x) / two_pi; }, uangle(p.word_bits, p.word_bits + 2))};
+  quarter.block = real_tables::arc_sine(1, 0);
   t.arc_sine_quarter = share(quarter);
   t.cosine_inner = cosine_table("COS", p.inner_angle(), p.table_bits, p.word_bits);
   return t;
