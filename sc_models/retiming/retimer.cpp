@@ -1,5 +1,7 @@
 #include "retiming/retimer.h"
 
+#include <algorithm>
+
 #include "system/bound.h"
 
 namespace bump {
@@ -51,17 +53,64 @@ Retimer::Retimer(TimingTrace trace, Parameters parameters, const std::string& na
     throw other_program(name, "the light maps of " + trace_.scheme + " are no longer the same");
   for (const auto& [key, entry] : recorded_.entries())
     if (is_schedule_key(key)) schedule_keys_.push_back(key);
+  fetch_keys_ = TextureFetchConfig::look_up_keys();
+  if (has_maps)
+    for (const std::string& key : LightMapFetchConfig::look_up_keys()) fetch_keys_.push_back(key);
 }
 
 void Retimer::check(const Configuration& configuration) const {
   for (const auto& [key, entry] : configuration.entries()) {
     const ParameterValue& before = recorded_.entries().at(key).value;
-    if (configuration.parameters().find(key)->timing_only || entry.value == before) continue;
+    if (configuration.parameters().find(key)->timing_only || entry.value == before || is_unused(key)) continue;
+    const bool needs_addresses = is_fetch_key(key);
+    if (needs_addresses && trace_.has_addresses()) continue;
+    const std::string again_with = "bumpsim run " + trace_.scene + " --scheme " + trace_.scheme;
+    if (needs_addresses)
+      throw Error({key + " = " + quoted(entry.value) + " cannot be retimed: the trace holds no addresses", entry.origin,
+                   "it was recorded with " + quoted(before) + ", and what other caches find follows from the addresses",
+                   "record again, with the addresses: " + again_with + " --record FILE --addresses"});
     throw Error({key + " = " + quoted(entry.value) + " cannot be retimed: the trace was recorded with " + quoted(before), entry.origin,
                  "it is more than timing: it can change values, routes, cache hits or intervals, which the trace holds",
-                 "record again: bumpsim run " + trace_.scene + " --scheme " + trace_.scheme + " --set " + key + "=" +
-                     to_string(entry.value) + " --record FILE"});
+                 "record again: " + again_with + " --set " + key + "=" + to_string(entry.value) + " --record FILE"});
   }
+  if (!fetches_anew(configuration)) return;
+  const FetchSettings settings = fetch_settings(configuration);
+  if (const LightMaps* maps = light_maps()) LightMapFetch::layout_of(*maps, settings.light_maps.cache.line_bytes);
+}
+
+bool Retimer::is_fetch_key(const std::string& key) const {
+  return std::find(fetch_keys_.begin(), fetch_keys_.end(), key) != fetch_keys_.end();
+}
+
+bool Retimer::is_unused(const std::string& key) const {
+  const std::vector<std::string> keys = LightMapFetchConfig::look_up_keys();
+  return light_maps() == nullptr && std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+bool Retimer::fetches_anew(const Configuration& configuration) const {
+  return std::any_of(fetch_keys_.begin(), fetch_keys_.end(),
+                     [&](const std::string& key) { return configuration.entries().at(key).value != recorded_.entries().at(key).value; });
+}
+
+FetchSettings Retimer::fetch_settings(const Configuration& configuration) const {
+  FetchSettings settings;
+  settings.texture = TextureFetchConfig(configuration);
+  if (light_maps()) settings.light_maps = LightMapFetchConfig(configuration);
+  return settings;
+}
+
+std::vector<FetchedTrace> Retimer::fetch(const std::vector<FetchSettings>& settings, const std::atomic<bool>* cancelled) const {
+  std::vector<FetchedTrace> fetched = refetch(trace_, light_maps(), settings, cancelled);
+  if (cancelled != nullptr && *cancelled) return fetched;
+  const FetchSettings before = fetch_settings(recorded_);
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    if (!(settings[i] == before)) continue;
+    for (const traced::Index stream : {traced::texture, traced::light_map})
+      if (!same_stream(fetched[i].trace.streams[stream], trace_.streams[stream]))
+        throw Error(ErrorKind::self_check,
+                    {"self-check failed: the addresses of the trace give other hits than were recorded", {name_}, "", again});
+  }
+  return fetched;
 }
 
 PipelineTiming Retimer::timing_of(const Configuration& configuration) {
@@ -74,7 +123,9 @@ PipelineTiming Retimer::timing_of(const Configuration& configuration) {
 
 RetimedRun Retimer::retime(const Configuration& configuration, const std::function<void(double)>& watch) {
   const PipelineTiming timing = timing_of(configuration);
-  Retimed retimed = replay(trace_, timing, watch);
+  std::vector<FetchedTrace> fetched;
+  if (trace_.has_addresses()) fetched = fetch({fetch_settings(configuration)}, nullptr);
+  Retimed retimed = replay(fetched.empty() ? trace_ : fetched.front().trace, timing, watch);
   const bool as_recorded = [&] {
     for (const auto& [key, entry] : configuration.entries())
       if (entry.value != recorded_.entries().at(key).value) return false;
@@ -86,7 +137,9 @@ RetimedRun Retimer::retime(const Configuration& configuration, const std::functi
                                         "dated again as it was recorded it takes " + std::to_string(retimed.timing.cycles),
                                         again});
   const Bound bound = lower_bound(timing.graph, retimed.timing, retimed.last_interval);
-  return {std::move(retimed.timing), bound};
+  RetimedRun run{std::move(retimed.timing), bound, std::nullopt};
+  if (!fetched.empty()) run.traffic = std::move(fetched.front().traffic);
+  return run;
 }
 
 }  // namespace bump

@@ -38,6 +38,11 @@ bool takes_and_gives_one(const TokenRecord& r) {
 }  // namespace
 
 void check_trace(const TimingTrace& trace) {
+  const RecordedAccesses& accesses = trace.accesses;
+  require(accesses.empty() || accesses.texels.fragments == trace.fragments(), "fragments with addresses are not those fetched");
+  require(accesses.words.fragments == (accesses.empty() ? 0 : trace.streams[traced::light_map].tokens),
+          "words with addresses are not those fetched");
+  check_accesses(accesses);
   const TokenStream& raster = trace.streams[traced::raster];
   std::int64_t released = 0, given = 0;
   for (const TokenStream::Run& run : raster.runs) {
@@ -105,7 +110,7 @@ void TraceRecorder::add(const TimingRecords& records) {
   builders_[traced::light_map].append(records.light_map);
 }
 
-TimingTrace TraceRecorder::finish(const Scene& scene, const Scheme& scheme, const Configuration& configuration, std::int64_t cycles) const {
+TimingTrace TraceRecorder::finish(const Scene& scene, const Scheme& scheme, const Configuration& configuration, std::int64_t cycles) {
   TimingTrace trace;
   trace.scheme = scheme.page().id;
   trace.scene = scene.name;
@@ -118,6 +123,7 @@ TimingTrace TraceRecorder::finish(const Scene& scene, const Scheme& scheme, cons
   trace.netlists = hash_of_netlists(make_traced_design(scene, scheme, configuration));
   trace.cycles = cycles;
   for (std::size_t i = 0; i < traced::count; ++i) trace.streams[i] = builders_[i].stream();
+  trace.accesses = accesses_.finish();
   check_trace(trace);
   return trace;
 }

@@ -3,7 +3,8 @@
 // triangle setup; fragments, and triangles without any, through the rasterizer; fragments through texture and light-map fetch), and all
 // from which the rest follows: the schedules of the netlists are a function of scheme, configuration, materials and lights, so these are
 // kept, with a hash of the netlists that tells whether the program still builds the same. Every date under any depths, latencies,
-// capacities, multiplier limits and memory ports can be computed from it, and no value of a fragment is needed. No hardware.
+// capacities, multiplier limits and memory ports can be computed from it, and no value of a fragment is needed. With what the fetch units
+// read, the same holds for the geometry of their caches (cache_replay.h). No hardware.
 
 #include <array>
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "channels/parameters.h"
+#include "retiming/access_recorder.h"
 #include "retiming/token_stream.h"
 #include "schemes/scheme.h"
 #include "system/timing_feed.h"
@@ -35,11 +37,15 @@ struct TimingTrace {
   std::int64_t cycles = 0;                                         ///< of the recorded run
   std::array<TokenStream, traced::count> streams;                  ///< light_map is empty for designs without light maps
 
+  RecordedAccesses accesses;  ///< what the fetch units read, if that was recorded
+
+  /// Whether hits and misses can be told for other caches.
+  bool has_addresses() const { return accesses.texels.fragments == fragments(); }
   std::int64_t triangles() const { return streams[traced::vertex].tokens; }
   std::int64_t fragments() const { return streams[traced::texture].tokens; }
 };
 
-/// Throws Error(internal) naming what contradicts itself: token counts of neighbouring stages, masks, intervals of 0.
+/// Throws Error(internal) naming what contradicts itself: token counts of neighbouring stages, masks, intervals of 0, addresses.
 void check_trace(const TimingTrace& trace);
 
 /// What the program builds for a trace's scheme, materials and lights.
@@ -59,11 +65,14 @@ std::string hash_of_netlists(const TracedDesign& design);
 class TraceRecorder {
  public:
   void add(const TimingRecords& records);
-  /// The trace, once the simulation is over. `cycles` is its result.
-  TimingTrace finish(const Scene& scene, const Scheme& scheme, const Configuration& configuration, std::int64_t cycles) const;
+  /// For SimulationOptions::accesses: the trace has addresses then.
+  AccessListener& accesses() { return accesses_; }
+  /// The trace, once, when the simulation is over. `cycles` is its result.
+  TimingTrace finish(const Scene& scene, const Scheme& scheme, const Configuration& configuration, std::int64_t cycles);
 
  private:
   std::array<TokenStreamBuilder, traced::count> builders_;
+  AccessRecorder accesses_;
 };
 
 }  // namespace bump

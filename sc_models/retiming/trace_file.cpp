@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "datapath/sha256.h"
+#include "retiming/byte_numbers.h"
 
 namespace bump {
 
@@ -15,10 +16,7 @@ constexpr const char* again = "bumpsim run SCENE --record FILE makes a new one";
 
 class Writer {
  public:
-  void number(std::uint64_t value) {
-    for (; value >= 0x80; value >>= 7) bytes_ += static_cast<char>((value & 0x7f) | 0x80);
-    bytes_ += static_cast<char>(value);
-  }
+  void number(std::uint64_t value) { put_number(bytes_, value); }
   void fixed(std::uint64_t value) {
     for (int i = 0; i < 8; ++i) bytes_ += static_cast<char>((value >> (8 * i)) & 0xff);
   }
@@ -132,6 +130,46 @@ TokenStream read_stream(Reader& in) {
   return stream;
 }
 
+void write_accesses(Writer& out, const RecordedAccesses& accesses) {
+  out.number(accesses.empty() ? 0 : 1);
+  if (accesses.empty()) return;
+  out.number(accesses.textures.size());
+  for (const Texture& texture : accesses.textures) {
+    const int modes =
+        (texture.wrap_u == WrapMode::clamp ? 1 : 0) | (texture.wrap_v == WrapMode::clamp ? 2 : 0) | (texture.filterable ? 4 : 0);
+    for (const int field : {texture.bytes_per_texel, modes}) out.number(static_cast<std::uint64_t>(field));
+    out.number(texture.levels.size());
+    for (const TextureLevel& level : texture.levels)
+      for (const int side : {level.width, level.height}) out.number(static_cast<std::uint64_t>(side));
+  }
+  for (const AccessStream* stream : {&accesses.texels, &accesses.words}) {
+    out.number(static_cast<std::uint64_t>(stream->fragments));
+    out.text(stream->bytes);
+  }
+}
+
+RecordedAccesses read_accesses(Reader& in) {
+  constexpr std::uint64_t most = 1 << 30;
+  RecordedAccesses accesses;
+  if (in.number(1, "a section") == 0) return accesses;
+  accesses.textures.resize(in.count());
+  for (Texture& texture : accesses.textures) {
+    texture.bytes_per_texel = static_cast<int>(in.number(most, "bytes of a texel"));
+    const std::uint64_t modes = in.number(7, "wrap modes");
+    texture.wrap_u = (modes & 1U) != 0 ? WrapMode::clamp : WrapMode::repeat;
+    texture.wrap_v = (modes & 2U) != 0 ? WrapMode::clamp : WrapMode::repeat;
+    texture.filterable = (modes & 4U) != 0;
+    texture.levels.resize(in.count());
+    for (TextureLevel& level : texture.levels)
+      for (int* side : {&level.width, &level.height}) *side = static_cast<int>(in.number(most, "a texture's side"));
+  }
+  for (AccessStream* stream : {&accesses.texels, &accesses.words}) {
+    stream->fragments = static_cast<std::int64_t>(in.number(std::uint64_t{1} << 40, "fragments"));
+    stream->bytes = in.text();
+  }
+  return accesses;
+}
+
 void write_body(Writer& out, const TimingTrace& trace) {
   out.text(trace.scheme);
   out.text(trace.scene);
@@ -155,6 +193,7 @@ void write_body(Writer& out, const TimingTrace& trace) {
   out.text(trace.netlists);
   out.number(static_cast<std::uint64_t>(trace.cycles));
   for (const TokenStream& stream : trace.streams) write_stream(out, stream);
+  write_accesses(out, trace.accesses);
 }
 
 TimingTrace read_body(Reader& in) {
@@ -181,6 +220,7 @@ TimingTrace read_body(Reader& in) {
   trace.netlists = in.text();
   trace.cycles = static_cast<std::int64_t>(in.number(std::uint64_t{1} << 62, "cycles"));
   for (TokenStream& stream : trace.streams) stream = read_stream(in);
+  trace.accesses = read_accesses(in);
   if (!in.at_end()) in.damaged("something follows behind its end");
   try {
     check_trace(trace);

@@ -6,6 +6,9 @@
 //
 // A stream is its kinds (records) and its runs, each one number: (count - 1) shifted by the bits that the last kind takes, plus kind; a
 // stream of one kind needs none. Every run of a shipped scene so takes a byte or two.
+//
+// Behind the streams stands 0, or 1 and what the fetch units read: the textures (bytes of a texel, wrap modes, whether they are filtered,
+// sizes of the levels), then for each of the two caches the number of fragments and a text, the bytes of access_stream.h.
 
 #include <cstdint>
 #include <string>
@@ -14,7 +17,7 @@
 
 namespace bump {
 
-constexpr std::uint64_t trace_version = 1;
+constexpr std::uint64_t trace_version = 2;
 
 std::string encode_trace(const TimingTrace& trace);
 

@@ -42,6 +42,11 @@ Pipeline::Pipeline(const sc_core::sc_module_name& name, std::shared_ptr<const Pi
         if (watch_) watch_(vertex_processor_.counters().triangles);
       }) {}
 
+void Pipeline::listen(AccessListener& listener) {
+  texture_fetch_.listen(listener);
+  if (light_map_fetch_) light_map_fetch_->listen(listener);
+}
+
 std::vector<HostTime> Pipeline::host_times() const {
   std::vector<const UnitModule*> modules = {&vertex_processor_module_, &triangle_setup_module_, &rasterizer_module_,
                                             &interpolators_module_,    &texture_fetch_module_,  &environment_module_};

@@ -45,6 +45,8 @@ class Pipeline : public sc_core::sc_module {
   const FrameSink& frame_sink() const { return frame_sink_; }
   FrameSink::Drawn release_frames(bool with_exact) { return frame_sink_.release(with_exact); }
 
+  /// Tells a listener what the fetch units read; before the simulation. It must outlive this.
+  void listen(AccessListener& listener);
   /// What the host has spent on each unit, in the order of the pipeline.
   std::vector<HostTime> host_times() const;
 

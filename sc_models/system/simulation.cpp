@@ -211,6 +211,7 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   context_options.arithmetic = configuration.choice("numeric") == "fixed" ? Arithmetic::fixed : Arithmetic::real;
   context_options.keep_exact = options.measure;
   context_options.probe_directions = options.measure;
+  context_options.measure_aside = options.measure_aside;
   context_options.shading = VertexProcessorConfig(configuration).space;
   const auto context = make_context(scene, std::move(designs.designs), std::move(designs.of_object), context_options);
 
@@ -221,6 +222,7 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
     if (options.progress) options.progress(triangles > 0 ? static_cast<double>(entered) / static_cast<double>(triangles) : 1.0);
   };
   Pipeline pipeline("pipeline", context, configuration, watch);
+  if (options.accesses) pipeline.listen(*options.accesses);
   const DatapathSchedules schedules = make_schedules(context->designs.front(), pipeline.colour().netlist(), configuration);
   const PipelineTiming timing = make_pipeline_timing(schedules, context->passes, configuration);
   const double megahertz = configuration.number("clock.megahertz");

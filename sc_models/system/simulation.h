@@ -24,15 +24,19 @@ namespace bump {
 enum class Engine { dated, stepped, untimed };
 
 struct TimingRecords;
+class AccessListener;
 
 struct SimulationOptions {
   Engine engine = Engine::dated;
   /// Evaluate the datapaths in double precision beside the fixed point, and measure the directions that the environment unit delivers.
   /// Without, a run is faster and has no exact frame, no angular errors and no diverged pixels.
   bool measure = true;
+  bool measure_aside = false;  ///< what can be measured later is measured by a thread of its own
   std::string trace;  ///< path of a VCD, stepped engine only; empty for none
   /// Called with the timing records of every block that retires, in order, before they are dated.
   std::function<void(const TimingRecords&)> record;
+  /// Told what the fetch units read, in order; null: nobody.
+  AccessListener* accesses = nullptr;
   /// Called now and then with the share of triangles done, 0 to 1.
   std::function<void(double)> progress;
   /// Polled; when set, the simulation stops with an Error.

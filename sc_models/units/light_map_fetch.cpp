@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "datapath/invariant.h"
+#include "units/access_listener.h"
 
 namespace bump {
 
@@ -46,7 +47,8 @@ void check_objects(const PipelineContext& context) {
 
 void LightMapFetchConfig::declare(Parameters& p) {
   p.integer("light_map_fetch.multipliers", 0, 0, 4096, "multipliers",
-            "of the address, built and time-shared; 0 builds one for every product").timing_only = true;
+            "of the address, built and time-shared; 0 builds one for every product")
+      .timing_only = true;
   p.integer("light_map_fetch.latency", 2, 1, 4096, "cycles", "look-up of a fragment whose words are in the cache, behind its address")
       .timing_only = true;
   p.integer("light_map_fetch.capacity", 64, 1, 1 << 20, "tokens", "fragments in flight, waiting for memory or done").timing_only = true;
@@ -62,6 +64,11 @@ void LightMapFetchConfig::declare(Parameters& p) {
   p.integer("light_memory.outstanding", 8, 1, 4096, "lines", "misses in flight").timing_only = true;
 }
 
+std::vector<std::string> LightMapFetchConfig::look_up_keys() {
+  return {"light_map_fetch.reads_per_cycle", "light_map_fetch.cache.sets", "light_map_fetch.cache.ways",
+          "light_map_fetch.cache.line_bytes"};
+}
+
 LightMapFetchConfig::LightMapFetchConfig(const Configuration& c)
     : reads_per_cycle(static_cast<int>(c.integer("light_map_fetch.reads_per_cycle"))) {
   cache.sets = static_cast<int>(c.integer("light_map_fetch.cache.sets"));
@@ -73,7 +80,7 @@ LightMapFetchConfig::LightMapFetchConfig(const Configuration& c)
 LightMapFetch::LightMapFetch(std::shared_ptr<const PipelineContext> context, const LightMapFetchConfig& config)
     : context_(std::move(context)),
       config_(config),
-      layout_(maps_of(*context_), config.cache.line_bytes),
+      layout_(layout_of(maps_of(*context_), config.cache.line_bytes)),
       cache_(config.cache, "light-map cache"),
       address_(context_, address_of),
       entries_(block_lanes),
@@ -82,13 +89,6 @@ LightMapFetch::LightMapFetch(std::shared_ptr<const PipelineContext> context, con
       counters_(maps_of(*context_).maps.size()) {
   check_objects(*context_);
   const LightMaps& maps = maps_of(*context_);
-  for (std::size_t map = 0; map < maps.maps.size(); ++map)
-    if (word_bytes(static_cast<int>(map)) > config.cache.line_bytes)
-      throw Error(
-          {"light-map cache lines of " + std::to_string(config.cache.line_bytes) + " bytes",
-           {},
-           "a word of light map '" + maps.maps[map].name + "' takes " + std::to_string(word_bytes(static_cast<int>(map))) + " bytes",
-           "light_map_fetch.cache.line_bytes at least " + std::to_string(word_bytes(static_cast<int>(map)))});
   for (const Design& design : context_->designs) {
     fills_.push_back(std::make_unique<LightMapFill>(*design.light_maps));
     if (context_->options.arithmetic == Arithmetic::real)
@@ -98,6 +98,19 @@ LightMapFetch::LightMapFetch(std::shared_ptr<const PipelineContext> context, con
   entry_plane_ = context_->planes.index("light_map.entry");
   word_plane_ = context_->planes.index("light." + maps.maps.front().name);
   for (const std::string& coordinate : maps.coordinates) coordinate_planes_.push_back(context_->planes.index(coordinate));
+}
+
+LightMapLayout LightMapFetch::layout_of(const LightMaps& maps, int line_bytes) {
+  LightMapLayout layout(maps, line_bytes);
+  for (std::size_t map = 0; map < maps.maps.size(); ++map) {
+    const int bytes = layout.word_bytes(static_cast<int>(map));
+    if (bytes > line_bytes)
+      throw Error({"light-map cache lines of " + std::to_string(line_bytes) + " bytes",
+                   {},
+                   "a word of light map '" + maps.maps[map].name + "' takes " + std::to_string(bytes) + " bytes",
+                   "light_map_fetch.cache.line_bytes at least " + std::to_string(bytes)});
+  }
+  return layout;
 }
 
 std::int64_t LightMapFetch::words_written() const {
@@ -192,6 +205,7 @@ void LightMapFetch::process(FragmentBlock& block) {
       static_cast<double>(block.object * entries_of(maps_of(*context_, block.object))));
   address_.process(block);
   find_entries(block);
+  if (listener_) listener_->add_words(block.object, layout_.column_bits(), entries_, block.lanes);
   fetch(block);
   evaluate_exact(block);
 }

@@ -20,12 +20,16 @@
 
 namespace bump {
 
+class AccessListener;
+
 struct LightMapFetchConfig {
   int reads_per_cycle = 2;  ///< words that the cache serves each cycle
   CacheGeometry cache;
 
   /// Also declares what only the timing plane reads: multipliers, latency and capacity of the unit, and the memory port ("light_memory.*").
   static void declare(Parameters& parameters);
+  /// Parameters that decide nothing but which look-ups hit and how long they take, as TextureFetchConfig::look_up_keys() says.
+  static std::vector<std::string> look_up_keys();
   LightMapFetchConfig() = default;
   /// Throws Error(input) if the cache geometry is not a power of two where it must be.
   explicit LightMapFetchConfig(const Configuration& configuration);
@@ -39,6 +43,11 @@ class LightMapFetch {
   /// fit into a line.
   LightMapFetch(std::shared_ptr<const PipelineContext> context, const LightMapFetchConfig& config);
   void process(FragmentBlock& block);
+  /// Tells the listener of all reads that follow. It must outlive this.
+  void listen(AccessListener& listener) { listener_ = &listener; }
+
+  /// Where the words lie. Throws Error(input) if one does not fit into a line.
+  static LightMapLayout layout_of(const LightMaps& maps, int line_bytes);
 
   /// Times the address netlist was executed: fragments.
   std::int64_t executions() const { return address_.executions(); }
@@ -68,6 +77,7 @@ class LightMapFetch {
   std::vector<std::unique_ptr<LightMapFill>> fills_;  ///< one per design
   int object_ = -1;                                   ///< whose maps `words_` holds: fragments arrive object by object
   LightMapWords words_;
+  AccessListener* listener_ = nullptr;
   std::vector<std::int64_t> entries_;  ///< of the block's fragments, within the object's maps
   std::vector<glm::dvec3> normals_;
   std::vector<Lanes> sums_;

@@ -26,6 +26,8 @@ class LightMapLayout {
     const std::uint64_t word = in_tile | (tile << (place.tile_columns + place.tile_rows));
     return static_cast<std::uint64_t>(object) * object_bytes_ + place.base + (word << place.byte_bits);
   }
+  /// Low bits of an entry that are its column.
+  int column_bits() const { return column_bits_; }
   /// Bytes of a word of `map`.
   int word_bytes(int map) const { return 1 << places_[static_cast<std::size_t>(map)].byte_bits; }
 

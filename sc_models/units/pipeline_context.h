@@ -22,8 +22,9 @@ namespace bump {
 
 struct ContextOptions {
   Arithmetic arithmetic = Arithmetic::fixed;
-  bool keep_exact = true;         ///< with fixed point: compute the double-precision planes, too
-  bool probe_directions = false;  ///< interpolate the probes and measure the directions that the environment unit delivers
+  bool keep_exact = true;                       ///< with fixed point: compute the double-precision planes, too
+  bool probe_directions = false;                ///< interpolate the probes and measure the directions that the environment unit delivers
+  bool measure_aside = false;                   ///< measure them by a thread of its own
   ShadingSpace shading = ShadingSpace::object;  ///< axes of the vectors that the vertex program reads
 };
 

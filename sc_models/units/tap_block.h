@@ -38,6 +38,9 @@ class TapBlock {
   /// Whether every lane has taps() of them, in level 0.
   bool is_uniform() const { return uniform_; }
   int taps_of(std::size_t lane) const { return uniform_ ? static_cast<int>(taps_) : count_[lane]; }
+  /// The place of a tap's values in those of its level, (row * width + column) * channels.
+  const Words& texel(std::size_t tap) const { return texel_[tap]; }
+  int level(std::size_t tap, std::size_t lane) const { return uniform_ ? 0 : level_[tap / 4][lane]; }
   /// The line of a tap, counted from the first line of the texture. Lanes with fewer taps repeat the line of their first one.
   const Lines& line(std::size_t tap) const { return line_[tap]; }
 

@@ -5,6 +5,7 @@
 
 #include "datapath/invariant.h"
 #include "datapath/lane_clones.h"
+#include "units/access_listener.h"
 #include "units/bump_map.h"
 
 namespace bump {
@@ -46,6 +47,10 @@ void TextureFetchConfig::declare(Parameters& p) {
   p.integer("memory.latency", 40, 1, 1 << 20, "cycles", "from the grant of a line to its arrival").timing_only = true;
   p.integer("memory.cycles_per_line", 4, 1, 1 << 20, "cycles", "bus occupation of a line").timing_only = true;
   p.integer("memory.outstanding", 8, 1, 4096, "lines", "misses in flight").timing_only = true;
+}
+
+std::vector<std::string> TextureFetchConfig::look_up_keys() {
+  return {"texture_fetch.footprints_per_cycle", "texture_fetch.cache.sets", "texture_fetch.cache.ways", "texture_fetch.cache.line_bytes"};
 }
 
 TextureFetchConfig::TextureFetchConfig(const Configuration& c)
@@ -106,16 +111,20 @@ int TextureFetch::place_map(const Texture& normals, const BumpEncoding& encoding
   return place(hardware, context_->separate_exact() ? exact : nullptr);
 }
 
-int TextureFetch::place(std::shared_ptr<const Texture> hardware, std::shared_ptr<const Texture> exact) {
-  BUMP_ASSERT(!hardware->levels.empty());
-  const std::uint64_t base = residents_.empty() ? 0 : residents_.back().layout.end();
-  TextureLayout layout(*hardware, base, config_.cache.line_bytes);
-  if (!TapBlock::can_hold(*hardware, layout))
-    throw Error({"texture \"" + hardware->name + "\" of " + std::to_string(hardware->levels.front().width) + " x " +
-                     std::to_string(hardware->levels.front().height) + " texels",
+TextureLayout TextureFetch::layout_of(const Texture& texture, std::uint64_t base, int line_bytes) {
+  BUMP_ASSERT(!texture.levels.empty());
+  TextureLayout layout(texture, base, line_bytes);
+  if (!TapBlock::can_hold(texture, layout))
+    throw Error({"texture \"" + texture.name + "\" of " + std::to_string(texture.levels.front().width) + " x " +
+                     std::to_string(texture.levels.front().height) + " texels",
                  {},
                  "the texture unit numbers texels in 32 bits",
                  "a smaller texture"});
+  return layout;
+}
+
+int TextureFetch::place(std::shared_ptr<const Texture> hardware, std::shared_ptr<const Texture> exact) {
+  TextureLayout layout = layout_of(*hardware, residents_.empty() ? 0 : residents_.back().layout.end(), config_.cache.line_bytes);
   residents_.push_back({std::move(hardware), std::move(exact), std::move(layout)});
   return static_cast<int>(residents_.size()) - 1;
 }
@@ -203,7 +212,13 @@ void TextureFetch::process(FragmentBlock& block) {
   const AccessLanes at{block.u.data(), block.v.data(), block.dudx.data(), block.dvdx.data(), block.dudy.data(), block.dvdy.data()};
   fetch(colour, at, block, colour_plane_, taps_[0]);
   if (map) fetch(*map, scaled(textures, at, block.lanes), block, map_plane_, taps_[1]);
+  if (listener_) listener_->add_texels({textures.colour, has_map_ ? textures.map : -1}, taps_, block.lanes);
   look_up({&colour, map}, block);
+}
+
+void TextureFetch::listen(AccessListener& listener) {
+  listener_ = &listener;
+  for (const Resident& texture : residents_) listener.add_texture(*texture.hardware);
 }
 
 }  // namespace bump

@@ -20,6 +20,8 @@
 
 namespace bump {
 
+class AccessListener;
+
 struct TextureFetchConfig {
   Filter filter = Filter::bilinear;
   int footprints_per_cycle = 2;
@@ -27,6 +29,9 @@ struct TextureFetchConfig {
 
   /// Also declares what only the timing plane reads: latency, capacity and batch of the unit, and the memory port ("memory.*").
   static void declare(Parameters& parameters);
+  /// Parameters that decide nothing but which look-ups hit and how long they take: what is read does not depend on them, and whoever knows
+  /// that can tell the rest (sc_models/retiming).
+  static std::vector<std::string> look_up_keys();
   TextureFetchConfig() = default;
   /// Throws Error(input) if the cache geometry is not a power of two where it must be.
   explicit TextureFetchConfig(const Configuration& configuration);
@@ -38,6 +43,11 @@ class TextureFetch {
   /// object cannot have such a map, or if a map in object space meets vectors in another.
   TextureFetch(std::shared_ptr<const PipelineContext> context, const TextureFetchConfig& config);
   void process(FragmentBlock& block);
+  /// Tells the listener of the textures in memory now, and of all reads that follow. It must outlive this.
+  void listen(AccessListener& listener);
+
+  /// Where a texture lies that follows others which end at `base`. Throws Error(input) if it is too large for the texture unit.
+  static TextureLayout layout_of(const Texture& texture, std::uint64_t base, int line_bytes);
 
   const TextureCounters& counters() const { return counters_; }
 
@@ -68,6 +78,7 @@ class TextureFetch {
   TextureFetchConfig config_;
   TextureCache cache_;
   TextureCounters counters_;
+  AccessListener* listener_ = nullptr;
   std::vector<Resident> residents_;
   std::vector<ObjectTextures> objects_;   ///< one per scene object
   int colour_plane_ = 0, map_plane_ = 0;  ///< first of the texel planes

@@ -1,5 +1,6 @@
 // Dating traces again: bytes a fragment, and fragments times configurations a second on one core, one configuration at a time by the
-// timeline and eight at once by the vector kernel. One JSON document on stdout.
+// timeline and eight at once by the vector kernel. Of traces with addresses also what the caches cost: fragments times caches a second, and
+// the same for caches of light maps. One JSON document on stdout.
 //   bench_retime TRACE... [--rounds N]
 
 #include <chrono>
@@ -43,6 +44,37 @@ std::vector<PipelineTiming> machines(Retimer& retimer, bool alike) {
   return timings;
 }
 
+/// Texture caches of one size of line, from 1 to 128 sets.
+std::vector<TextureFetchConfig> texture_caches(const Retimer& retimer, std::size_t count) {
+  std::vector<TextureFetchConfig> units(count, retimer.fetch_settings(retimer.recorded()).texture);
+  for (std::size_t i = 0; i < count; ++i) units[i].cache.sets = count == 1 ? 32 : 1 << i;
+  return units;
+}
+
+/// How many fragments a second go through caches, times the number of caches.
+Json measure_caches(const Retimer& retimer, int rounds) {
+  const RecordedAccesses& accesses = retimer.trace().accesses;
+  std::vector<bench::Variant> variants;
+  std::vector<double> caches;
+  for (const std::size_t count : {std::size_t{1}, std::size_t{8}}) {
+    const std::vector<TextureFetchConfig> units = texture_caches(retimer, count);
+    variants.push_back({count == 1 ? "texture cache" : "texture caches, eight at once",
+                        [&accesses, units] { return seconds_of([&] { fetch_texels(accesses, units, nullptr); }); }});
+    caches.push_back(static_cast<double>(count));
+  }
+  if (const LightMaps* maps = retimer.light_maps()) {
+    const LightMapFetchConfig unit = retimer.fetch_settings(retimer.recorded()).light_maps;
+    variants.push_back(
+        {"light-map cache", [&accesses, maps, unit] { return seconds_of([&] { fetch_words(accesses, *maps, {unit}, nullptr); }); }});
+    caches.push_back(1);
+  }
+  const std::vector<double> medians = bench::interleaved(variants, rounds);
+  Json json;
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    json[variants[i].name] = static_cast<double>(retimer.trace().fragments()) * caches[i] / medians[i] / 1e6;
+  return json;
+}
+
 Json measure(const std::string& path, int rounds) {
   const std::string bytes = read_bytes(path, "timing trace");
   Retimer retimer(decode_trace(bytes, path), all_parameters(), path);
@@ -68,11 +100,19 @@ Json measure(const std::string& path, int rounds) {
   }
   const std::vector<double> medians = bench::interleaved(variants, rounds);
   Json json = {{"scene", trace.scene}, {"scheme", trace.scheme}, {"fragments", trace.fragments()}, {"triangles", trace.triangles()}};
-  json["bytes"] = bytes.size();
-  json["bytes_per_fragment"] = static_cast<double>(bytes.size()) / static_cast<double>(std::max<std::int64_t>(1, trace.fragments()));
+  TimingTrace bare = trace;
+  bare.accesses = {};
+  const std::size_t bare_bytes = encode_trace(bare).size();
+  const auto per_fragment = [&trace](std::size_t size) {
+    return static_cast<double>(size) / static_cast<double>(std::max<std::int64_t>(1, trace.fragments()));
+  };
+  json["bytes"] = bare_bytes;
+  json["bytes_per_fragment"] = per_fragment(bare_bytes);
+  if (trace.has_addresses()) json["bytes_per_fragment_with_addresses"] = per_fragment(bytes.size());
   const double work = static_cast<double>(trace.fragments()) * static_cast<double>(LaneDates::width);
   for (std::size_t i = 0; i < variants.size(); ++i)
     json["million_fragment_configurations_per_s"][variants[i].name] = work / medians[i] / 1e6;
+  if (trace.has_addresses()) json["million_fragment_caches_per_s"] = measure_caches(retimer, rounds);
   return json;
 }
 

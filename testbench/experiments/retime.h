@@ -19,7 +19,8 @@ struct SweepRow {
   Cycle cycles = 0;
   Bound bound;
   double clock_megahertz = 100;
-  std::optional<Error> error;  ///< deadlock, or a graph that cannot be built
+  std::optional<Error> error;           ///< deadlock, or a graph that cannot be built
+  std::optional<FetchTraffic> traffic;  ///< of sweeps over what caches find
 };
 
 struct SweepOptions {
@@ -28,6 +29,9 @@ struct SweepOptions {
   std::function<void(double)> progress;          ///< share of the points, 0 to 1
   const std::atomic<bool>* cancelled = nullptr;  ///< when set, the sweep ends with Error(cancelled)
 };
+
+/// Whether any point's caches can find other than the recorded run's did: rows have traffic then.
+bool sweeps_caches(const Retimer& retimer, const Configuration& base, const SweepGrid& grid);
 
 /// Rows in the order of the points. `base` holds what the grid does not set; the result of check() is the caller's to ask for.
 std::vector<SweepRow> sweep(Retimer& retimer, const Configuration& base, const SweepGrid& grid, const SweepOptions& options);

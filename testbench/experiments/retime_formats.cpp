@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "testbench/experiments/retime_traffic.h"
 #include "testbench/results/error_json.h"
 #include "testbench/results/text_table.h"
 
@@ -108,7 +109,8 @@ std::string run_text(const Retimer& retimer, const Configuration& configuration,
   for (const FifoStatistics& f : timing.fifos)
     fifos.rows.push_back({f.name, std::to_string(f.depth), std::to_string(f.max_occupancy), share(f.full_cycles, timing.cycles),
                           share(f.empty_cycles, timing.cycles)});
-  return report + "\n" + aligned(modules) + "\n" + aligned(memories) + "\n" + aligned(fifos);
+  const std::string caches = run.traffic ? "\n" + aligned(traffic_table(*run.traffic, retimer.light_maps())) : "";
+  return report + "\n" + aligned(modules) + caches + "\n" + aligned(memories) + "\n" + aligned(fifos);
 }
 
 std::string run_csv(const Retimer& retimer, const Configuration& configuration, const RetimedRun& run) {
@@ -145,6 +147,8 @@ std::string run_csv(const Retimer& retimer, const Configuration& configuration, 
     count(m.name, "requests", m.requests, "requests");
     count(m.name, "busy", m.busy, "cycles");
   }
+  if (run.traffic)
+    for (const TrafficStatistic& s : traffic_statistics(*run.traffic, retimer.light_maps())) line(s.module, s.statistic, s.value, s.unit);
   return report;
 }
 
@@ -169,6 +173,7 @@ std::string run_json(const Retimer& retimer, const Configuration& configuration,
   json["memory"] = Json::array();
   for (const MemoryStatistics& memory : timing.memories)
     json["memory"].push_back({{"name", memory.name}, {"requests", memory.requests}, {"busy", memory.busy}});
+  if (run.traffic) add_traffic(json, *run.traffic, retimer.light_maps());
   return json.dump(2) + "\n";
 }
 
@@ -187,8 +192,10 @@ std::string reason(const Error& error) {
 std::string sweep_text(const Retimer& retimer, const Configuration& base, const SweepGrid& grid, const std::vector<SweepRow>& rows) {
   TextTable table;
   for (const SweepAxis& axis : grid.axes()) table.header.push_back(axis.key);
-  for (const char* column : {"cycles", "fragments/cycle", "bound reached", "set by", "busiest", "no room in flight", "output full"})
-    table.header.push_back(column);
+  for (const char* column : {"cycles", "fragments/cycle"}) table.header.push_back(column);
+  if (sweeps_caches(retimer, base, grid))
+    for (const std::string& column : traffic_header(retimer.light_maps())) table.header.push_back(column);
+  for (const char* column : {"bound reached", "set by", "busiest", "no room in flight", "output full"}) table.header.push_back(column);
   table.left_columns = 0;
   std::size_t failed = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -196,10 +203,16 @@ std::string sweep_text(const Retimer& retimer, const Configuration& base, const 
     std::vector<std::string> cells = grid.values(i);
     if (row.error) {
       ++failed;
-      cells.insert(cells.end(), {"deadlock", "-", "-", reason(*row.error), "-", "-", "-"});
+      cells.insert(cells.end(), {"deadlock", "-"});
     } else {
-      cells.insert(cells.end(), {std::to_string(row.cycles), text(per_cycle(retimer.trace().fragments(), row.cycles), 4),
-                                 share(static_cast<Cycle>(row.bound.cycles), row.cycles), row.bound.by, most(row, &StageStatistics::busy),
+      cells.insert(cells.end(), {std::to_string(row.cycles), text(per_cycle(retimer.trace().fragments(), row.cycles), 4)});
+    }
+    if (row.traffic)
+      for (std::string& cell : traffic_cells(*row.traffic)) cells.push_back(std::move(cell));
+    if (row.error) {
+      cells.insert(cells.end(), {"-", reason(*row.error), "-", "-", "-"});
+    } else {
+      cells.insert(cells.end(), {share(static_cast<Cycle>(row.bound.cycles), row.cycles), row.bound.by, most(row, &StageStatistics::busy),
                                  most(row, &StageStatistics::blocked_room), most(row, &StageStatistics::blocked_output)});
     }
     table.rows.push_back(std::move(cells));
@@ -209,27 +222,38 @@ std::string sweep_text(const Retimer& retimer, const Configuration& base, const 
   return report + "\n\n" + aligned(table);
 }
 
-std::string sweep_csv(const Retimer& retimer, const SweepGrid& grid, const std::vector<SweepRow>& rows) {
+std::string sweep_csv(const Retimer& retimer, const Configuration& base, const SweepGrid& grid, const std::vector<SweepRow>& rows) {
+  const bool has_traffic = sweeps_caches(retimer, base, grid);
   const auto filled = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !row.stages.empty(); });
   std::vector<std::string> header;
   for (const SweepAxis& axis : grid.axes()) header.push_back(axis.key);
   for (const char* column : {"status", "cycles", "fragments_per_cycle", "frames_per_second", "bound_cycles", "bound_by"})
     header.push_back(column);
+  if (has_traffic)
+    for (const TrafficStatistic& s : traffic_statistics(rows.front().traffic.value(), retimer.light_maps()))
+      header.push_back(s.module + "." + s.statistic);
   if (filled != rows.end())
     for (const StageStatistics& s : filled->stages)
       for (const char* statistic : {".busy", ".starved", ".blocked", ".blocked_output"}) header.push_back(s.name + statistic + "_cycles");
   header.push_back("reason");
+  const auto add_traffic_cells = [&retimer](std::vector<std::string>& cells, const SweepRow& row) {
+    if (row.traffic)
+      for (TrafficStatistic& s : traffic_statistics(*row.traffic, retimer.light_maps())) cells.push_back(std::move(s.value));
+  };
   std::string report = csv_line(header);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const SweepRow& row = rows[i];
     std::vector<std::string> cells = grid.values(i);
     if (row.error) {
       cells.push_back(status_of(row.error->kind()));
+      cells.resize(grid.axes().size() + 6);
+      add_traffic_cells(cells, row);
       cells.resize(header.size() - 1);
       cells.push_back(reason(*row.error));
     } else {
       cells.insert(cells.end(), {"ok", std::to_string(row.cycles), full(per_cycle(retimer.trace().fragments(), row.cycles)),
                                  full(per_second(row.clock_megahertz, row.cycles)), full(row.bound.cycles), row.bound.by});
+      add_traffic_cells(cells, row);
       for (const StageStatistics& s : row.stages)
         for (const Cycle value : {s.busy, s.starved, s.blocked_room, s.blocked_output}) cells.push_back(std::to_string(value));
       cells.emplace_back();
@@ -244,6 +268,7 @@ Json row_json(const Retimer& retimer, const Configuration& configuration, const 
   entry["parameters"] = Json::object();
   for (const SweepAxis& axis : grid.axes()) entry["parameters"][axis.key] = value_json(configuration.entries().at(axis.key).value);
   entry["status"] = row.error ? status_of(row.error->kind()) : "ok";
+  if (row.traffic) add_traffic(entry, *row.traffic, retimer.light_maps());
   if (row.error) {
     entry["error"] = to_json(row.error->text());
     return entry;
@@ -285,7 +310,7 @@ std::string retimed_run_report(const Retimer& retimer, const Configuration& conf
 std::string sweep_report(const Retimer& retimer, const Configuration& base, const SweepGrid& grid, const std::vector<SweepRow>& rows,
                          const std::string& format, const std::string& version) {
   if (format == "json") return sweep_json(retimer, base, grid, rows, version);
-  return format == "csv" ? sweep_csv(retimer, grid, rows) : sweep_text(retimer, base, grid, rows);
+  return format == "csv" ? sweep_csv(retimer, base, grid, rows) : sweep_text(retimer, base, grid, rows);
 }
 
 }  // namespace bump

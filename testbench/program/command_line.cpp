@@ -96,9 +96,14 @@ int command_line(int argc, char* argv[]) {
   command->add_option("--record", run.record, "file for what timing needs of this run, to be dated again by retime; must not exist")
       ->type_name("FILE")
       ->check(named());
+  command->add_flag("--addresses", run.addresses, "with --record: keep what the caches are asked for as well, so that retime can change them")
+      ->needs(command->get_option("--record"));
   command->add_flag("--force", run.force, "replace an earlier result in --out, and earlier files of --trace and --record");
   command->add_flag("--no-quality", run.no_quality,
                     "only cycles, counts and the picture: no references, no evaluation in double precision; faster");
+  command->add_option("--jobs", run.jobs, "threads that draw the references and measure (default: one per core); results do not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
   add_json(*command, run.json);
   command->callback([&] { chosen = [&] { return run_command(run); }; });
 
@@ -145,7 +150,9 @@ int command_line(int argc, char* argv[]) {
 
   RetimeArguments retime;
   command =
-      program.add_subcommand("retime", "date a run recorded with --record again, for other depths, latencies, multiplier limits, memories");
+      program.add_subcommand("retime",
+                             "date a run recorded with --record again, for other depths, latencies, multiplier limits, memories; if recorded "
+                             "with --addresses, for other caches as well");
   command->add_option("trace", retime.trace, "file that run --record wrote")->required()->type_name("TRACE");
   add_configuration(*command, retime.configuration_files, retime.settings);
   command->add_option("--sweep", retime.sweeps, "values of one parameter, e.g. fifos.depth=1,2,4; repeated: the full product")

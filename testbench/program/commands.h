@@ -16,7 +16,9 @@ struct RunArguments {
   std::string out;                    ///< empty: a new folder under out/
   std::string trace;                  ///< VCD path, stepped engine only
   std::string record;                 ///< file for a timing trace, for `retime`; empty: none
+  bool addresses = false;             ///< the trace also holds what the fetch units read
   bool force = false;                 ///< replace an earlier result or trace
+  int jobs = 0;                       ///< threads; 0: one per core
   bool no_quality = false;            ///< skip the reference renderings
   bool json = false;
 };

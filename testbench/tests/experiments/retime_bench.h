@@ -57,13 +57,14 @@ inline std::string text_of(const TimingResult& timing, const Bound& bound) {
 }
 
 /// A run that is recorded, and what it says of time; a deadlock is its report.
-inline ChildTask recorded_run(const std::string& scheme, const Configuration& configuration, bool with_trace) {
+inline ChildTask recorded_run(const std::string& scheme, const Configuration& configuration, bool with_trace, bool with_addresses = false) {
   return {scheme, [=](const ReportShare&) {
             const Scene scene = retime_scene();
             TraceRecorder recorder;
             SimulationOptions options;
             options.measure = false;
             if (with_trace) options.record = [&recorder](const TimingRecords& records) { recorder.add(records); };
+            if (with_addresses) options.accesses = &recorder.accesses();
             try {
               const SimulationResult result = simulate(scene, find_scheme(scheme), configuration, options);
               if (with_trace) return encode_trace(recorder.finish(scene, find_scheme(scheme), configuration, result.timing.cycles));

@@ -95,10 +95,62 @@ TEST_CASE("what is more than timing is refused with its reason") {
     CHECK(outcome.code == 2);
     CHECK(outcome.err.find("texture_fetch.cache.sets") != std::string::npos);
     CHECK(outcome.err.find("record again") != std::string::npos);
+    CHECK(outcome.err.find("--addresses") != std::string::npos);
   }
   CHECK(bumpsim("retime scene.trace --set texture_fetch.cache.sets=32", folder.path()).code == 0);
   folder.write("same.toml", "[texture_fetch.cache]\nsets = 32\n[fifos]\ndepth = 2\n");
   CHECK(bumpsim("retime scene.trace --config same.toml", folder.path()).code == 0);
+}
+
+TEST_CASE("with addresses, retime says of caches what a run with them says, in all formats") {
+  const TemporaryFolder folder;
+  record(folder, "--scheme kugler1998 --set kugler1998.light_map_bits=11 --addresses");
+  const std::string settings =
+      " --set texture_fetch.cache.sets=2 --set texture_fetch.cache.line_bytes=16 --set light_map_fetch.cache.ways=1 --set "
+      "memory.latency=90";
+  const Outcome run = bumpsim(
+      "run scene.toml --scheme kugler1998 --set kugler1998.light_map_bits=11 --no-quality --json --out rx" + settings, folder.path());
+  const Outcome retimed = bumpsim("retime scene.trace --json" + settings, folder.path());
+  INFO(run.err << retimed.err);
+  REQUIRE(run.code == 0);
+  REQUIRE(retimed.code == 0);
+  const Json expected = Json::parse(run.out), said = Json::parse(retimed.out);
+  for (const char* part : {"cycles", "bound", "modules", "fifos", "memory", "texture"}) {
+    INFO(part);
+    CHECK(said[part] == expected[part]);
+  }
+  REQUIRE(said["light_maps"].size() == expected["light_maps"].size());
+  for (std::size_t i = 0; i < said["light_maps"].size(); ++i)
+    for (const auto& [name, value] : said["light_maps"][i].items()) CHECK(value == expected["light_maps"][i][name]);
+
+  const std::string sweep =
+      "retime scene.trace --set light_map_fetch.cache.ways=1 --set texture_fetch.cache.line_bytes=16 --sweep texture_fetch.cache.sets=2,64 "
+      "--sweep memory.latency=90,10";
+  const Outcome json = bumpsim(sweep + " --json", folder.path());
+  REQUIRE(json.code == 0);
+  const Json row = Json::parse(json.out)["rows"][0];
+  for (const char* part : {"cycles", "bound", "modules", "texture", "light_maps"}) CHECK(row[part] == said[part]);
+  const Outcome csv = bumpsim(sweep + " --format csv --jobs 1", folder.path());
+  CHECK(csv.out.find(",texture.hit_rate,texture.bytes,light_map.") != std::string::npos);
+  CHECK(csv.out == bumpsim(sweep + " --format csv --jobs 4", folder.path()).out);
+  const Outcome text = bumpsim(sweep, folder.path());
+  CHECK(text.out.find("texture hits") != std::string::npos);
+  CHECK(text.out.find("light-map KB") != std::string::npos);
+}
+
+TEST_CASE("caches that cannot be built, and addresses without a trace, are bad input") {
+  const TemporaryFolder folder;
+  record(folder, "--addresses");
+  const Outcome odd = bumpsim("retime scene.trace --sweep texture_fetch.cache.sets=2,3", folder.path());
+  CHECK(odd.code == 2);
+  CHECK(odd.err.find("power of two") != std::string::npos);
+  const Outcome filter = bumpsim("retime scene.trace --sweep texture_fetch.filter=nearest", folder.path());
+  CHECK(filter.code == 2);
+  CHECK(filter.err.find("record again") != std::string::npos);
+  const Outcome alone = bumpsim("run scene.toml --no-quality --out other --addresses", folder.path());
+  CHECK(alone.code == 2);
+  CHECK(alone.err.find("--record") != std::string::npos);
+  CHECK_FALSE(fs::exists(folder.path() / "other"));
 }
 
 TEST_CASE("files that are no traces, and sweeps that are none, are bad input") {
