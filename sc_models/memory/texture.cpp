@@ -11,6 +11,7 @@ namespace {
 
 /// Index of the texel row or column after wrapping.
 int wrap_index(double index, int size, WrapMode mode) {
+  if (index >= 0 && index < size) return static_cast<int>(index);  // nearly always, and divisions are slow
   if (mode == WrapMode::clamp) return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(size - 1)));
   const double turns = std::floor(index / size);
   return std::clamp(static_cast<int>(index - turns * size), 0, size - 1);  // rounding of a huge coordinate may land just outside
@@ -21,7 +22,15 @@ double defined(double coordinate) {
   return std::isfinite(coordinate) ? coordinate : 0.0;
 }
 
+/// std::floor, without the library call that it is for processors that cannot round in one instruction.
+double floor_of(double value) {
+  if (!(std::fabs(value) < 1e9)) return std::floor(value);
+  const double cut = static_cast<int>(value);
+  return cut > value ? cut - 1 : cut;
+}
+
 int nearest_level(const Texture& texture, double lod) {
+  if (lod == 0) return 0;
   const double last = static_cast<double>(texture.levels.size() - 1);
   return static_cast<int>(std::clamp(std::floor(defined(lod) + 0.5), 0.0, last));
 }
@@ -35,7 +44,7 @@ TexelTap nearest_tap(const Texture& texture, int level, double u, double v) {
 void bilinear_taps(const Texture& texture, int level, double u, double v, double share, TexelTap taps[4]) {
   const auto& image = texture.levels[static_cast<std::size_t>(level)];
   const double x = u * image.width - 0.5, y = v * image.height - 0.5;
-  const double left = std::floor(x), low = std::floor(y);
+  const double left = floor_of(x), low = floor_of(y);
   const double right_weight = x - left, high_weight = y - low;
   const int x0 = wrap_index(left, image.width, texture.wrap_u), x1 = wrap_index(left + 1, image.width, texture.wrap_u);
   const int y0 = wrap_index(low, image.height, texture.wrap_v), y1 = wrap_index(low + 1, image.height, texture.wrap_v);
@@ -101,7 +110,7 @@ int texel_taps(const Texture& texture, Filter filter, double u, double v, double
   }
   const double last = static_cast<double>(texture.levels.size() - 1);
   const double between = std::clamp(defined(lod), 0.0, last);
-  const double finer = std::floor(between);
+  const double finer = floor_of(between);
   const int level = static_cast<int>(finer);
   if (between == finer) {  // exactly on a level (always so when magnified): the other level would have weight 0
     bilinear_taps(texture, level, u, v, 1.0, taps);
@@ -113,16 +122,20 @@ int texel_taps(const Texture& texture, Filter filter, double u, double v, double
 }
 
 void filter_texels(const Texture& texture, const TexelTap* taps, int count, double* out) {
-  const double* first = texel(texture, taps[0]);
+  BUMP_ASSERT(count >= 1 && count <= 8);
+  const double* at[8];
+  for (int tap = 0; tap < count; ++tap) at[tap] = texel(texture, taps[tap]);
   for (int channel = 0; channel < texture.channels; ++channel) {
     const std::size_t index = static_cast<std::size_t>(channel);
-    const bool is_angle = texture.kinds[index] == ChannelKind::angle;
     double sum = 0;
-    for (int tap = 0; tap < count; ++tap) {
-      const double value = texel(texture, taps[tap])[index];
-      sum += taps[tap].weight * (is_angle ? short_way(value - first[index]) : value);
+    if (texture.kinds[index] == ChannelKind::angle) {
+      const double first = at[0][index];
+      for (int tap = 0; tap < count; ++tap) sum += taps[tap].weight * short_way(at[tap][index] - first);
+      out[index] = short_way(first + sum);
+    } else {
+      for (int tap = 0; tap < count; ++tap) sum += taps[tap].weight * at[tap][index];
+      out[index] = sum;
     }
-    out[index] = is_angle ? short_way(first[index] + sum) : sum;
   }
 }
 

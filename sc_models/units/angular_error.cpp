@@ -11,8 +11,20 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// The planes of probe vectors P, N, T, B.
-constexpr int position_probe = 0, normal_probe = 1, tangent_probe = 2, binormal_probe = 3;
+/// Planes of a sample: the probe vectors P, N, T, B come first, three planes each.
+constexpr std::size_t position_probe = 0, normal_probe = 3, tangent_probe = 6, binormal_probe = 9, probe_planes = 12;
+
+/// Blocks that may wait to be measured: enough for a thread to be away for some milliseconds.
+constexpr std::size_t waiting_blocks = 32;
+
+glm::dvec3 vector_at(const Lanes* planes, std::size_t lane) {
+  return {planes[0][lane], planes[1][lane], planes[2][lane]};
+}
+
+/// The direction that 2 or 3 planes hold.
+glm::dvec3 delivered(const Lanes* planes, std::size_t count, std::size_t lane) {
+  return count == 2 ? polar_direction(planes[0][lane], planes[1][lane]) : vector_at(planes, lane);
+}
 
 }  // namespace
 
@@ -49,53 +61,70 @@ void AngularMeter::Sum::add(double degrees) {
 
 AngularMeter::AngularMeter(std::shared_ptr<const PipelineContext> context) : context_(std::move(context)) {
   if (!context_->options.probe_directions) return;
-  sums_.resize(context_->designs.front().directions.size());
+  const std::vector<DeliveredDirection>& directions = context_->designs.front().directions;
+  if (directions.empty()) return;
+  sums_.resize(directions.size());
+  planes_.resize(probe_planes);
   for (const Attribute& attribute : context_->attributes)
-    if (attribute.probe >= 0) probes_[static_cast<std::size_t>(attribute.probe)] = attribute.plane;
-}
-
-glm::dvec3 AngularMeter::probe(const FragmentBlock& block, int vector, std::size_t lane) const {
-  glm::dvec3 value;
-  for (int axis = 0; axis < 3; ++axis)
-    value[axis] = block.hardware[static_cast<std::size_t>(probes_[static_cast<std::size_t>(3 * vector + axis)])][lane];
-  return value;
+    if (attribute.probe >= 0) planes_[static_cast<std::size_t>(attribute.probe)] = attribute.plane;
+  for (int light = 0; light < context_->lights; ++light) {
+    for (const DeliveredDirection& direction : directions) {
+      BUMP_ASSERT(direction.planes.size() == 2 || direction.planes.size() == 3);
+      for (const std::string& name : direction.planes) planes_.push_back(context_->plane(name, light));
+    }
+  }
+  queue_ = std::make_unique<BackgroundQueue<Sample>>(waiting_blocks, context_->options.measure_aside,
+                                                     [this](const Sample& sample) { measure(sample); });
 }
 
 void AngularMeter::process(const FragmentBlock& block) {
-  if (sums_.empty()) return;
-  const std::vector<DeliveredDirection>& directions = context_->design_of(block.object).directions;
-  for (int light = 0; light < context_->lights; ++light)
-    for (std::size_t i = 0; i < sums_.size(); ++i) measure(block, directions[i], light, sums_[i]);
+  if (!queue_) return;
+  Sample& sample = queue_->next();
+  sample.object = block.object;
+  sample.lanes = static_cast<std::size_t>(block.lanes);
+  sample.planes.resize(probe_planes + 2 * (planes_.size() - probe_planes));
+  Lanes* out = sample.planes.data();
+  const auto copy = [&](const Lanes& plane) { std::copy_n(plane.begin(), sample.lanes, (out++)->begin()); };
+  for (std::size_t i = 0; i < planes_.size(); ++i) copy(block.hardware[static_cast<std::size_t>(planes_[i])]);
+  for (std::size_t i = probe_planes; i < planes_.size(); ++i) copy(context_->exact_plane(block, planes_[i]));
+  queue_->push();
 }
 
-void AngularMeter::measure(const FragmentBlock& block, const DeliveredDirection& direction, int light, Sums& sums) const {
-  BUMP_ASSERT(direction.planes.size() == 2 || direction.planes.size() == 3);
-  const ObjectSpace& space = context_->spaces[static_cast<std::size_t>(block.object)];
-  std::vector<const Lanes*> hardware, exact;
-  for (const std::string& name : direction.planes) {
-    const int plane = context_->plane(name, light);
-    hardware.push_back(&block.hardware[static_cast<std::size_t>(plane)]);
-    exact.push_back(&context_->exact_plane(block, plane));
-  }
-  const auto delivered = [](const std::vector<const Lanes*>& planes, std::size_t lane) {
-    if (planes.size() == 2) return polar_direction((*planes[0])[lane], (*planes[1])[lane]);
-    return glm::dvec3((*planes[0])[lane], (*planes[1])[lane], (*planes[2])[lane]);
-  };
-  for (std::size_t lane = 0; lane < static_cast<std::size_t>(block.lanes); ++lane) {
-    const glm::dvec3 position = probe(block, position_probe, lane);
-    glm::dvec3 truth = glm::normalize(space.light_vector(light, position));
-    if (direction.of == DeliveredDirection::Of::half) truth = truth + glm::normalize(space.eye_vector(position));
-    const auto axis = [&](int vector) { return space.direction(probe(block, vector, lane)); };
-    const glm::dmat3 frame = delivery_frame(direction.frame, axis(normal_probe), axis(tangent_probe), axis(binormal_probe));
-    truth = glm::transpose(frame) * truth;
+void AngularMeter::measure(const Sample& sample) {
+  const ObjectSpace& space = context_->spaces[static_cast<std::size_t>(sample.object)];
+  for (int light = 0; light < context_->lights; ++light)
+    for (std::size_t lane = 0; lane < sample.lanes; ++lane) measure_lane(sample, space, light, lane);
+}
+
+void AngularMeter::measure_lane(const Sample& sample, const ObjectSpace& space, int light, std::size_t lane) {
+  const std::vector<DeliveredDirection>& directions = context_->designs.front().directions;
+  const Lanes* planes = sample.planes.data();
+  const std::size_t of_all_lights = planes_.size() - probe_planes;
+  const Lanes* hardware =
+      planes + probe_planes + of_all_lights / static_cast<std::size_t>(context_->lights) * static_cast<std::size_t>(light);
+  const glm::dvec3 position = vector_at(planes + position_probe, lane);
+  const glm::dvec3 normal = space.direction(vector_at(planes + normal_probe, lane));
+  const glm::dvec3 to_light = glm::normalize(space.light_vector(light, position));
+  glm::dmat3 frame{1};
+  for (std::size_t i = 0; i < directions.size(); hardware += directions[i++].planes.size()) {
+    const DeliveredDirection& direction = directions[i];
     const bool is_turned = direction.frame != DeliveredDirection::Frame::shading;
-    if (!((is_turned ? truth.z : glm::dot(truth, axis(normal_probe))) > 0)) continue;
-    sums.hardware.add(angle_between(truth, delivered(hardware, lane)));
-    sums.exact.add(angle_between(truth, delivered(exact, lane)));
+    // The directions of a design come in one frame.
+    if (is_turned && (i == 0 || direction.frame != directions[i - 1].frame))
+      frame = delivery_frame(direction.frame, normal, space.direction(vector_at(planes + tangent_probe, lane)),
+                             space.direction(vector_at(planes + binormal_probe, lane)));
+    glm::dvec3 truth = to_light;
+    if (direction.of == DeliveredDirection::Of::half) truth = truth + glm::normalize(space.eye_vector(position));
+    if (is_turned) truth = glm::transpose(frame) * truth;
+    if (!((is_turned ? truth.z : glm::dot(truth, normal)) > 0)) continue;
+    const std::size_t count = direction.planes.size();
+    sums_[i].hardware.add(angle_between(truth, delivered(hardware, count, lane)));
+    sums_[i].exact.add(angle_between(truth, delivered(hardware + of_all_lights, count, lane)));
   }
 }
 
 std::vector<AngularError> AngularMeter::report(Sum Sums::*which) const {
+  if (queue_) queue_->drain();
   std::vector<AngularError> errors;
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     const Sum& sum = sums_[i].*which;

@@ -6,11 +6,11 @@
 // measuring instrument, not hardware; it takes no time. Source of the frames: schemes/scheme.h, DeliveredDirection; polar: Lee 2007, Eqs
 // 19-21.
 
-#include <array>
 #include <glm/glm.hpp>
 #include <memory>
 #include <vector>
 
+#include "units/background_queue.h"
 #include "units/counters.h"
 #include "units/pipeline_context.h"
 
@@ -27,7 +27,7 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b);
 class AngularMeter {
  public:
   explicit AngularMeter(std::shared_ptr<const PipelineContext> context);
-  /// Nothing happens unless the context probes directions.
+  /// Nothing happens unless the context probes directions. With ContextOptions::measure_aside the block is measured later, by a thread.
   void process(const FragmentBlock& block);
 
   /// One entry per delivered direction of the design, all lights together; empty without probes. Angles are NaN where no vector lights
@@ -44,14 +44,22 @@ class AngularMeter {
   struct Sums {
     Sum hardware, exact;
   };
+  /// What measuring reads of a block: the probes, then for every light and direction the planes of the hardware and of the double
+  /// evaluation.
+  struct Sample {
+    int object = 0;
+    std::size_t lanes = 0;
+    std::vector<Lanes> planes;
+  };
 
-  glm::dvec3 probe(const FragmentBlock& block, int vector, std::size_t lane) const;
-  void measure(const FragmentBlock& block, const DeliveredDirection& direction, int light, Sums& sums) const;
+  void measure(const Sample& sample);
+  void measure_lane(const Sample& sample, const ObjectSpace& space, int light, std::size_t lane);
   std::vector<AngularError> report(Sum Sums::*which) const;
 
   std::shared_ptr<const PipelineContext> context_;
-  std::array<int, 12> probes_{};  ///< planes of P.x P.y P.z N.x ... B.z
-  std::vector<Sums> sums_;        ///< one per delivered direction
+  std::vector<int> planes_;  ///< of hardware and double evaluation, in the order of a sample; the probes of the hardware only
+  std::vector<Sums> sums_;   ///< one per delivered direction
+  std::unique_ptr<BackgroundQueue<Sample>> queue_;  ///< none without probes
 };
 
 }  // namespace bump

@@ -3,8 +3,35 @@
 #include <cmath>
 
 #include "datapath/invariant.h"
+#include "datapath/lane_clones.h"
+#include "datapath/lane_math.h"
 
 namespace bump {
+
+namespace {
+
+// As quantise() and to_double(), for many values, `stride` apart; words of at most narrow_bits. Whole numbers stay doubles.
+
+BUMP_LANE_LOOP void quantise_numbers(double* values, std::size_t count, std::size_t stride, double step, double lowest, double highest) {
+  const double scale = 1 / step;
+  for (std::size_t i = 0; i < count * stride; i += stride) {
+    const double scaled = values[i] * scale, number = scaled == scaled ? scaled : 0.0;
+    const double below = number < highest ? number : highest;
+    values[i] = round_half_up(below > lowest ? below : lowest) * step;
+  }
+}
+
+/// `half`: half a turn in steps.
+BUMP_LANE_LOOP void quantise_turns(double* values, std::size_t count, std::size_t stride, double step, double half) {
+  const double scale = 1 / step;
+  for (std::size_t i = 0; i < count * stride; i += stride) {
+    const double turn = to_half_open_turn(values[i]), number = turn == turn ? turn : 0.0;
+    const double whole = round_half_up(number * scale);
+    values[i] = (whole >= half ? whole - 2 * half : whole) * step;
+  }
+}
+
+}  // namespace
 
 int bytes_per_texel(const BumpEncoding& encoding) {
   int bits = 0, bytes = 1;
@@ -40,9 +67,17 @@ Texture encode_bump_map(const Texture& normals, const BumpEncoding& encoding) {
 Texture quantise_texels(Texture map, const BumpEncoding& encoding) {
   const std::size_t channels = encoding.channels.size();
   for (TextureLevel& level : map.levels) {
-    for (std::size_t i = 0; i < level.texels.size(); ++i) {
-      const Format& format = encoding.channels[i % channels].format;
-      level.texels[i] = to_double(quantise(level.texels[i], format), format);
+    const std::size_t texels = level.texels.size() / channels;
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      const Format& format = encoding.channels[channel].format;
+      double* values = level.texels.data() + channel;
+      if (format.width > narrow_bits) {
+        for (std::size_t i = 0; i < texels; ++i) values[i * channels] = to_double(quantise(values[i * channels], format), format);
+      } else if (format.wraps()) {
+        quantise_turns(values, texels, channels, format.step(), std::ldexp(1.0, format.width - 1));
+      } else {
+        quantise_numbers(values, texels, channels, format.step(), format.lowest() / format.step(), format.highest() / format.step());
+      }
     }
   }
   return map;

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +17,7 @@
 #include <system_error>
 
 #include "testbench/experiments/child_message.h"
+#include "testbench/reference/cores.h"
 
 namespace bump {
 
@@ -106,13 +106,6 @@ class DefaultChildSignal {
   struct sigaction before_ {};
 };
 
-int cores() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (::sched_getaffinity(0, sizeof set, &set) != 0) return 1;
-  return std::max(1, CPU_COUNT(&set));
-}
-
 int wait_for(pid_t process) {
   int status = 0;
   while (::waitpid(process, &status, 0) < 0)
@@ -160,7 +153,7 @@ class Children {
   Children& operator=(const Children&) = delete;
 
   std::vector<ChildOutcome> run() {
-    const std::size_t jobs = static_cast<std::size_t>(options_.jobs > 0 ? options_.jobs : cores());
+    const std::size_t jobs = static_cast<std::size_t>(options_.jobs > 0 ? options_.jobs : cores_of_process());
     while (ended_ < tasks_.size()) {
       stop_if_cancelled();
       while (begun_ < tasks_.size() && running_.size() < jobs && begin(begun_)) ++begun_;

@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "memory/texture.h"
-#include "testbench/reference/reference_renderer.h"
 #include "testbench/scene/config_file.h"
 
 namespace bump {
 
 namespace {
+
+/// Few enough for every thread to get some, enough for a triangle to be set up once for many pixels.
+constexpr int rows_of_band = 16;
 
 Filter filter_of(const Configuration& configuration) {
   const std::string& name = configuration.choice("texture_fetch.filter");
@@ -27,10 +30,7 @@ void stop_if_set(const std::atomic<bool>* cancelled) {
 /// picture that is off by a third of it must at least resemble the double evaluation: an error below a tenth of the picture's own energy.
 void check_stated_bound(const RunReport& report) {
   const SimulationResult& result = *report.result;
-  FrameBuffer continuous = result.hardware;
-  for (std::size_t pixel = 0; pixel < continuous.object.size(); ++pixel)
-    if (result.diverged[pixel] != 0) continuous.object[pixel] = -1;  // and so left out of the comparison
-  const Quality quality = compare_frames(continuous, result.exact);
+  const Quality quality = compare_frames(result.hardware, result.exact, &result.diverged);
   const double floor = result.quantisation_floor_db;
   if (quality.pixels == 0 || floor <= 0) return;  // with bright lights the bound excludes nothing
   const double error = std::pow(10, -quality.psnr_db / 20), stated = std::min(1.0, std::pow(10, -floor / 20));
@@ -52,16 +52,29 @@ Engine engine_of(const std::string& name) {
   return name == "dated" ? Engine::dated : Engine::stepped;
 }
 
-References draw_references(const Scene& scene, const Configuration& configuration, const std::atomic<bool>* cancelled) {
-  const Filter filter = filter_of(configuration);
-  const bool cull = configuration.choice("triangle_setup.cull") == "back";
-  References references;
-  stop_if_set(cancelled);
-  references.normal_map = render_reference(scene, filter, ReferenceNormals::normal_map, cull);
-  stop_if_set(cancelled);
-  if (has_blinn_reference(scene)) references.blinn = render_reference(scene, filter, ReferenceNormals::blinn, cull);
-  stop_if_set(cancelled);
-  return references;
+ReferenceDrawing::ReferenceDrawing(const Scene& scene, const Configuration& configuration, const std::atomic<bool>* cancelled)
+    : cancelled_(cancelled),
+      renderer_(scene, filter_of(configuration), has_blinn_reference(scene), configuration.choice("triangle_setup.cull") == "back",
+                [this] {
+                  stop_if_set(cancelled_);
+                  stop_if_set(&abandoned_);
+                }),
+      bands_(
+          scene.height, rows_of_band, [this](int first_row, int end_row) { renderer_.draw_rows(first_row, end_row); }, cancelled) {}
+
+ReferenceDrawing::~ReferenceDrawing() {
+  abandoned_ = true;
+}
+
+References ReferenceDrawing::finish() {
+  bands_.finish();
+  return renderer_.release();
+}
+
+References draw_references(const Scene& scene, const Configuration& configuration, const std::atomic<bool>* cancelled, int threads) {
+  ReferenceDrawing drawing(scene, configuration, cancelled);
+  drawing.begin(threads - 1);
+  return drawing.finish();
 }
 
 /// Schemes whose frame is Lee's need a flag for texture charts that run the wrong way round; most of them have a parameter for it.
@@ -95,9 +108,16 @@ void MeasuredRun::simulate(SimulationOptions options) {
   wall_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void MeasuredRun::measure(const References& references) {
-  measure_quality(report_, &references.normal_map, references.blinn ? &*references.blinn : nullptr);
-  check_stated_bound(report_);
+void MeasuredRun::measure(const References& references, int threads) {
+  for_row_bands(2, 1, threads, [&](int part, int) {
+    if (part == 0) measure_quality(report_, &references.normal_map, references.blinn ? &*references.blinn : nullptr, threads);
+    if (part == 1) check_stated_bound(report_);
+  });
+}
+
+void MeasuredRun::draw_error_picture(FrameBuffer reference, int threads) {
+  result_.exact = {};
+  report_.error_picture = error_image(result_.hardware, std::move(reference), threads);
 }
 
 std::vector<std::string> MeasuredRun::warnings() const {

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "retiming/trace_file.h"
 #include "testbench/experiments/measured_run.h"
@@ -15,6 +17,7 @@
 #include "testbench/program/trace_file.h"
 #include "testbench/program/version.h"
 #include "testbench/program/warning.h"
+#include "testbench/reference/cores.h"
 #include "testbench/results/output_file.h"
 #include "testbench/results/pending_folder.h"
 #include "testbench/results/result_folder.h"
@@ -45,6 +48,13 @@ void check_trace(const RunArguments& arguments) {
                  "--engine stepped --trace " + arguments.trace});
 }
 
+/// Frames go as soon as nothing is measured with them any more.
+void measure(MeasuredRun& run, References references, int jobs) {
+  run.measure(references, jobs);
+  references.blinn.reset();
+  run.draw_error_picture(std::move(references.normal_map), jobs);
+}
+
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
@@ -63,18 +73,23 @@ int run_command(const RunArguments& arguments) {
   TraceFile trace(arguments.trace, out, arguments.force);
 
   SimulationOptions options;
+  const int jobs = arguments.jobs > 0 ? arguments.jobs : cores_of_process();
   options.measure = !arguments.no_quality;
+  options.measure_aside = jobs > 1;
   options.trace = trace.stem();
   options.cancelled = &interrupted;
   Progress progress("simulating " + scene.name);
   options.progress = [&progress](double share) { progress.update(share); };
   TraceRecorder recorder;
   if (!arguments.record.empty()) options.record = [&recorder](const TimingRecords& records) { recorder.add(records); };
+  if (arguments.addresses) options.accesses = &recorder.accesses();
   MeasuredRun run(scene, scheme, configuration, arguments.engine);
+  std::optional<ReferenceDrawing> drawing;
+  if (!arguments.no_quality) drawing.emplace(scene, configuration, &interrupted).begin(jobs - 1);
   run.simulate(options);
   trace.check(run.result().timing.cycles);
   for (const std::string& warning : run.warnings()) warn(warning);
-  if (!arguments.no_quality) run.measure(draw_references(scene, configuration, &interrupted));
+  if (drawing) measure(run, drawing->finish(), jobs);
 
   RunReport& report = run.report();
   report.host = host_facts(run.wall_s(), run.result().fragments, compiler_text(), version_text());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "datapath/invariant.h"
+#include "datapath/lane_clones.h"
 #include "units/projection.h"
 
 namespace bump {
@@ -45,6 +46,61 @@ PixelBox bounds(const std::array<glm::dvec4, 3>& clip, int width, int height) {
           std::min(pixel(bottom, height) + 1, height - 1)};
 }
 
+/// An edge function along a row of pixels: the same sums, in the same order, as glm::dot(edge, pixel centre).
+struct RowEdge {
+  double across, row, constant;
+  bool owns_zero;
+  RowEdge(const glm::dvec3& edge, double y) : across(edge.x), row(edge.y * y), constant(edge.z), owns_zero(owns_its_points(edge)) {}
+  bool contains(double x) const {
+    const double value = across * x + row + constant;
+    return value > 0 || (value == 0 && owns_zero);
+  }
+};
+
+/// Pixels [first, end) of a row.
+struct Run {
+  int first, end;
+};
+
+/// Those among [first, end) that the triangle owns. Rounding keeps an edge function monotonic along a row, so each edge cuts a row once.
+Run owned_run(const RowEdge edges[3], const std::vector<double>& x, Run run) {
+  for (int i = 0; i < 3; ++i) {
+    const RowEdge& edge = edges[i];
+    const double *begin = x.data() + run.first, *end = x.data() + run.end;
+    if (edge.across > 0) {
+      run.first += static_cast<int>(std::partition_point(begin, end, [&](double at) { return !edge.contains(at); }) - begin);
+    } else if (edge.across < 0) {
+      run.end -= static_cast<int>(end - std::partition_point(begin, end, [&](double at) { return edge.contains(at); }));
+    } else if (begin != end && !edge.contains(*begin)) {
+      run.end = run.first;
+    }
+  }
+  return run;
+}
+
+/// Rows of z and w: what depth needs of the clip-space corners.
+struct ClipDepth {
+  double z[3], w[3];
+};
+
+constexpr double beyond = 2;  ///< deeper than anything stored
+
+/// Depth in [0, 1] at `count` pixels, `beyond` outside the near and far planes.
+BUMP_LANE_LOOP void depths_of_run(const RowEdge* edges, const ClipDepth& clip, const double* __restrict x, int count,
+                                  double* __restrict depth) {
+  const RowEdge a = edges[0], b = edges[1], c = edges[2];
+  const ClipDepth corner = clip;
+  for (int i = 0; i < count; ++i) {
+    const double wa = a.across * x[i] + a.row + a.constant, wb = b.across * x[i] + b.row + b.constant,
+                 wc = c.across * x[i] + c.row + c.constant;
+    const double sum = wa + wb + wc, sa = wa / sum, sb = wb / sum, sc = wc / sum;
+    const double z = corner.z[0] * sa + corner.z[1] * sb + corner.z[2] * sc, w = corner.w[0] * sa + corner.w[1] * sb + corner.w[2] * sc;
+    const double inside = (z / w + 1) * 0.5;
+    const bool is_outside = (z < -w) | (z > w);
+    depth[i] = is_outside ? beyond : inside;
+  }
+}
+
 }  // namespace
 
 bool ScreenTriangle::contains(const glm::dvec3& p) const {
@@ -79,7 +135,7 @@ glm::dvec3 pixel_centre(int x, int y, int width, int height) {
   return {(2 * x + 1.0) / width - 1, 1 - (2 * y + 1.0) / height, 1};
 }
 
-Coverage cover(const Scene& scene, const std::vector<glm::dmat4>& to_clip, bool cull_back_faces) {
+Coverage cover(const Scene& scene, const std::vector<glm::dmat4>& to_clip, bool cull_back_faces, const std::function<void()>& watch) {
   BUMP_ASSERT(to_clip.size() == scene.objects.size());
   Coverage coverage;
   coverage.width = scene.width;
@@ -88,6 +144,8 @@ Coverage cover(const Scene& scene, const std::vector<glm::dmat4>& to_clip, bool 
   coverage.object.assign(pixels, -1);
   coverage.triangle.assign(pixels, -1);
   coverage.depth.assign(pixels, 1.0);
+  std::vector<double> x_of_column, depth(static_cast<std::size_t>(scene.width));
+  for (int x = 0; x < scene.width; ++x) x_of_column.push_back(pixel_centre(x, 0, scene.width, scene.height).x);
 
   for (std::size_t o = 0; o < scene.objects.size(); ++o) {
     const Mesh& mesh = *scene.objects[o].mesh;
@@ -96,21 +154,25 @@ Coverage cover(const Scene& scene, const std::vector<glm::dmat4>& to_clip, bool 
     for (const Vertex& vertex : mesh.vertices) clip.push_back(to_clip[o] * glm::dvec4{vertex.position, 1.0});
 
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (watch) watch();
       const glm::uvec3& corner = mesh.triangles[t];
       const ScreenTriangle triangle = make_screen_triangle({clip[corner.x], clip[corner.y], clip[corner.z]}, cull_back_faces);
       if (!triangle.drawable) continue;
       const PixelBox box = bounds(triangle.clip, scene.width, scene.height);
+      const auto& corners = triangle.clip;
+      const ClipDepth clip_depth{{corners[0].z, corners[1].z, corners[2].z}, {corners[0].w, corners[1].w, corners[2].w}};
       for (int y = box.top; y <= box.bottom; ++y) {
-        for (int x = box.left; x <= box.right; ++x) {
-          const glm::dvec3 p = pixel_centre(x, y, scene.width, scene.height);
-          if (!triangle.contains(p)) continue;
-          const glm::dvec3 weight = triangle.weights(p);
-          const glm::dvec4 at = triangle.clip[0] * weight.x + triangle.clip[1] * weight.y + triangle.clip[2] * weight.z;
-          if (at.z < -at.w || at.z > at.w) continue;
-          const double depth = (at.z / at.w + 1) * 0.5;
-          const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
-          if (!(depth < coverage.depth[pixel])) continue;
-          coverage.depth[pixel] = depth;
+        const double at = pixel_centre(0, y, scene.width, scene.height).y;
+        const RowEdge edges[3] = {{triangle.edges[0], at}, {triangle.edges[1], at}, {triangle.edges[2], at}};
+        const Run run = owned_run(edges, x_of_column, {box.left, std::max(box.right + 1, box.left)});
+        if (run.end <= run.first) continue;
+        depths_of_run(edges, clip_depth, &x_of_column[static_cast<std::size_t>(run.first)], run.end - run.first, depth.data());
+        const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width);
+        for (int x = run.first; x < run.end; ++x) {
+          const std::size_t pixel = row + static_cast<std::size_t>(x);
+          const double here = depth[static_cast<std::size_t>(x - run.first)];
+          if (!(here < coverage.depth[pixel])) continue;
+          coverage.depth[pixel] = here;
           coverage.object[pixel] = static_cast<std::int32_t>(o);
           coverage.triangle[pixel] = static_cast<std::int32_t>(t);
         }

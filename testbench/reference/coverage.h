@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -40,7 +41,8 @@ struct Coverage {
 /// Normalised device coordinates of the centre of pixel (x, y).
 glm::dvec3 pixel_centre(int x, int y, int width, int height);
 
-/// `to_clip` holds the matrix from object to clip space of every object of the scene.
-Coverage cover(const Scene& scene, const std::vector<glm::dmat4>& to_clip, bool cull_back_faces);
+/// `to_clip` holds the matrix from object to clip space of every object of the scene. `watch` (may be empty) is
+/// called now and then, and may throw to end it.
+Coverage cover(const Scene& scene, const std::vector<glm::dmat4>& to_clip, bool cull_back_faces, const std::function<void()>& watch = {});
 
 }  // namespace bump

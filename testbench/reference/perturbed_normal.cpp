@@ -9,10 +9,15 @@ namespace bump {
 
 namespace {
 
-/// Unit vector, or `otherwise` where there is no direction to keep.
-glm::dvec3 unit(const glm::dvec3& vector, const glm::dvec3& otherwise) {
+/// Unit vector, or what `otherwise` gives where there is no direction to keep.
+template <class Otherwise>
+glm::dvec3 unit_or(const glm::dvec3& vector, const Otherwise& otherwise) {
   const double length = glm::length(vector);
-  return length > 0 && std::isfinite(length) ? vector / length : otherwise;
+  return length > 0 && std::isfinite(length) ? vector / length : otherwise();
+}
+
+glm::dvec3 unit(const glm::dvec3& vector, const glm::dvec3& otherwise) {
+  return unit_or(vector, [&] { return otherwise; });
 }
 
 /// Any direction across `normal`, for tangents that vanish.
@@ -29,6 +34,7 @@ double height_at(const Texture& heights, Filter filter, double u, double v, doub
 
 /// Half the distance of a central difference, in texels of level 0: one texel of the level that a trilinear access reads.
 double difference_step(const Texture& heights, double level) {
+  if (level <= 0) return 1;
   return std::exp2(std::clamp(level, 0.0, static_cast<double>(heights.levels.size() - 1)));
 }
 
@@ -36,7 +42,7 @@ double difference_step(const Texture& heights, double level) {
 
 glm::dmat3 exact_frame(const SurfacePoint& point) {
   const glm::dvec3 normal = unit(point.normal, {0, 0, 1});
-  const glm::dvec3 tangent = unit(point.tangent - normal * glm::dot(normal, point.tangent), across(normal));
+  const glm::dvec3 tangent = unit_or(point.tangent - normal * glm::dot(normal, point.tangent), [&] { return across(normal); });
   const glm::dvec3 binormal = glm::cross(normal, tangent) * (point.handedness < 0 ? -1.0 : 1.0);
   return {tangent, binormal, normal};
 }

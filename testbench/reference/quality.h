@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "units/frame_buffer.h"
 
@@ -30,12 +31,13 @@ struct Quality {
 /// changes over half a pixel (its own slope, from the flatter neighbour on each axis), or by less than a 24-bit depth step.
 bool same_surface(const FrameBuffer& test, const FrameBuffer& reference, int x, int y);
 
-/// The frames must be of one size.
-Quality compare_frames(const FrameBuffer& test, const FrameBuffer& reference);
+/// The frames must be of one size. Pixels of the test frame that `left_out` marks (not 0; may be null) are taken for background, so where
+/// the reference shows an object they are excluded.
+Quality compare_frames(const FrameBuffer& test, const FrameBuffer& reference, const std::vector<std::uint8_t>* left_out = nullptr);
 
 /// The absolute error as a picture: the largest error of the three channels on a logarithmic scale of 8-bit steps, from black (none) over
 /// blue (3 of 255), red (15) and yellow (63) to white (255); in between linear in log2(1 + error). Excluded pixels are green, background
-/// black.
-FrameBuffer error_image(const FrameBuffer& test, const FrameBuffer& reference);
+/// black. `threads` share the rows. Hand the reference over if it is of no further use: the picture takes its place.
+FrameBuffer error_image(const FrameBuffer& test, FrameBuffer reference, int threads = 1);
 
 }  // namespace bump

@@ -2,6 +2,10 @@
 
 #include <sys/resource.h>
 
+#include <vector>
+
+#include "testbench/reference/row_bands.h"
+
 namespace bump {
 
 HostFacts host_facts(double wall_s, std::int64_t fragments, const std::string& compiler, const std::string& version) {
@@ -16,15 +20,20 @@ HostFacts host_facts(double wall_s, std::int64_t fragments, const std::string& c
   return facts;
 }
 
-void measure_quality(RunReport& report, const FrameBuffer* reference, const FrameBuffer* blinn) {
-  const SimulationResult& result = *report.result;
-  report.against_double = compare_frames(result.hardware, result.exact);
-  if (reference) {
-    report.against_reference = compare_frames(result.hardware, *reference);
-    report.double_against_reference = compare_frames(result.exact, *reference);
-    report.error_picture = error_image(result.hardware, *reference);
-  }
-  if (blinn) report.against_blinn = compare_frames(result.hardware, *blinn);
+void measure_quality(RunReport& report, const FrameBuffer* reference, const FrameBuffer* blinn, int threads) {
+  const FrameBuffer &hardware = report.result->hardware, &exact = report.result->exact;
+  struct Comparison {
+    std::optional<Quality>* measures;
+    const FrameBuffer *test, *against;
+  };
+  std::vector<Comparison> comparisons = {{&report.against_double, &hardware, &exact}};
+  if (reference) comparisons.push_back({&report.against_reference, &hardware, reference});
+  if (reference) comparisons.push_back({&report.double_against_reference, &exact, reference});
+  if (blinn) comparisons.push_back({&report.against_blinn, &hardware, blinn});
+  for_row_bands(static_cast<int>(comparisons.size()), 1, threads, [&](int first, int) {
+    const Comparison& comparison = comparisons[static_cast<std::size_t>(first)];
+    *comparison.measures = compare_frames(*comparison.test, *comparison.against);
+  });
 }
 
 std::optional<double> fragments_per_cycle(const SimulationResult& result) {

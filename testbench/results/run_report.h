@@ -46,8 +46,8 @@ struct RunReport {
 };
 
 /// Measures the images of report.result: always against the scheme's double evaluation, and against the references that are given (null:
-/// not).
-void measure_quality(RunReport& report, const FrameBuffer* reference, const FrameBuffer* blinn);
+/// not). `threads` share the comparisons. The error picture is left to error_image(), for those who want it.
+void measure_quality(RunReport& report, const FrameBuffer* reference, const FrameBuffer* blinn, int threads = 1);
 
 // Numbers that several outputs share. Absent where the denominator is 0.
 std::optional<double> fragments_per_cycle(const SimulationResult& result);

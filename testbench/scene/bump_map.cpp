@@ -92,13 +92,16 @@ Differences differences_of(const Texture& heights) {
 Texture colour_texture(const Image& image, const FileName& name, const Wrap& wrap, std::vector<std::string>& warnings) {
   Texture texture = empty_texture(name.shown, 3, image.bits == 8 ? 4 : 8, wrap, image.width, image.height);
   auto& texels = texture.levels.front().texels;
+  if (image.channels == 3) {
+    texels = image.values;
+  } else {
+    for (const double value : image.values) texels.insert(texels.end(), 3, value);
+  }
   std::size_t clamped = 0;
-  for (std::size_t i = 0; i < image.values.size(); i += static_cast<std::size_t>(image.channels)) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double value = image.values[i + (image.channels == 3 ? c : 0)];
-      texels.push_back(std::clamp(value, 0.0, 1.0));
-      if (texels.back() != value) ++clamped;
-    }
+  for (double& texel : texels) {
+    const double value = texel;
+    texel = std::clamp(value, 0.0, 1.0);
+    clamped += texel != value ? 1 : 0;
   }
   if (clamped > 0) warnings.push_back("'" + name.shown + "': " + std::to_string(clamped) + " colour values outside [0, 1] were clamped");
   build_mip_levels(texture);
@@ -133,11 +136,14 @@ Texture normals_from_heights(const Texture& heights) {
   const Differences slopes = differences_of(heights);
   Texture normals = empty_texture(heights.name, 3, 4, slopes.wrap, level.width, level.height);
   auto& texels = normals.levels.front().texels;
+  texels.resize(3 * level.texels.size());
+  double* n = texels.data();
   for (int y = 0; y < level.height; ++y) {
-    for (int x = 0; x < level.width; ++x) {
-      double n[3] = {-slopes.along_x(x, y), -slopes.along_y(x, y), 1};
+    for (int x = 0; x < level.width; ++x, n += 3) {
+      n[0] = -slopes.along_x(x, y);
+      n[1] = -slopes.along_y(x, y);
+      n[2] = 1;
       make_unit(n);
-      texels.insert(texels.end(), n, n + 3);
     }
   }
   build_normal_levels(normals);

@@ -64,6 +64,19 @@ TEST_CASE("the same bytes come from any folder") {
   }
 }
 
+TEST_CASE("the number of threads does not change a byte") {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", small_scene());
+  for (const char* jobs : {"1", "2", "5"})
+    REQUIRE(bumpsim(std::string("run scene.toml --out jobs-") + jobs + " --jobs " + jobs, folder.path()).code == 0);
+  for (const char* other : {"jobs-2", "jobs-5"}) {
+    CHECK(without_host(folder.path() / "jobs-1") == without_host(folder.path() / other));
+    for (const char* file : {"stats.csv", "frame.exr", "frame.png", "error.png"})
+      CHECK(read_file(folder.path() / "jobs-1" / file) == read_file(folder.path() / other / file));
+  }
+  CHECK(bumpsim("run scene.toml --jobs -1", folder.path()).code == 2);
+}
+
 TEST_CASE("double precision has no quantisation error and fixed point has some") {
   const TemporaryFolder folder;
   folder.write("scene.toml", small_scene());

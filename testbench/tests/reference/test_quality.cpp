@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "testbench/reference/quality.h"
 
@@ -120,4 +122,51 @@ TEST_CASE("the error image grows from black over blue, red and yellow to white")
   const double expected[6][3] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0.6, 0}};
   for (std::size_t pixel = 0; pixel < 6; ++pixel)
     for (std::size_t c = 0; c < 3; ++c) CHECK(image.colour[3 * pixel + c] == Approx(expected[pixel][c]).margin(1e-12));
+}
+
+TEST_CASE("pixels that are left out count as background of the test frame") {
+  FrameBuffer test = frame(8, 8, 0.5), reference = frame(8, 8, 0.4);
+  for (std::size_t pixel = 40; pixel < 64; ++pixel) reference.object[pixel] = -1;
+  std::vector<std::uint8_t> left_out(64, 0);
+  for (std::size_t pixel = 0; pixel < 64; pixel += 3) left_out[pixel] = 1;
+  const Quality masked = compare_frames(test, reference, &left_out);
+  for (std::size_t pixel = 0; pixel < 64; pixel += 3) test.object[pixel] = -1;
+  const Quality removed = compare_frames(test, reference);
+  CHECK(masked.pixels == removed.pixels);
+  CHECK(masked.excluded == removed.excluded);
+  CHECK(masked.psnr_db == removed.psnr_db);
+}
+
+TEST_CASE("a comparison judges every pixel as same_surface does, at the border of the frame and of objects too") {
+  const int width = GENERATE(1, 2, 3, 7, 16), height = GENERATE(1, 2, 5);
+  FrameBuffer reference = frame(width, height, 0.5), test = reference;
+  unsigned state = 1;
+  const auto random = [&](unsigned below) { return (state = state * 1664525u + 1013904223u) / 65536u % below; };
+  for (int round = 0; round < 20; ++round) {
+    for (std::size_t pixel = 0; pixel < reference.object.size(); ++pixel) {
+      reference.object[pixel] = static_cast<std::int32_t>(random(3)) - 1;
+      test.object[pixel] = random(4) == 0 ? static_cast<std::int32_t>(random(3)) - 1 : reference.object[pixel];
+      reference.depth[pixel] = random(100) / 100.0;
+      test.depth[pixel] = reference.depth[pixel] + (random(40) - 20.0) / 100;
+    }
+    std::int64_t same = 0, other = 0;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const auto pixel = static_cast<std::size_t>(y * width + x);
+        if (same_surface(test, reference, x, y))
+          ++same;
+        else if (test.object[pixel] >= 0 || reference.object[pixel] >= 0)
+          ++other;
+      }
+    }
+    const Quality quality = compare_frames(test, reference);
+    REQUIRE(quality.pixels == same);
+    REQUIRE(quality.excluded == other);
+  }
+}
+
+TEST_CASE("threads do not change the error image") {
+  FrameBuffer test = frame(40, 100, 0.5), reference = frame(40, 100, 0.4);
+  for (std::size_t i = 0; i < test.colour.size(); ++i) test.colour[i] += 0.0001 * static_cast<double>(i % 977);
+  CHECK(error_image(test, reference, 1).colour == error_image(test, reference, 4).colour);
 }

@@ -7,6 +7,7 @@
 #include "testbench/reference/coverage.h"
 #include "testbench/reference/quality.h"
 #include "testbench/reference/reference_renderer.h"
+#include "testbench/reference/row_bands.h"
 #include "units/projection.h"
 
 using namespace bump;
@@ -201,4 +202,56 @@ TEST_CASE("the reference is exact to the last bit from run to run") {
   Scene scene = shapes::scene(shapes::sphere(12));
   const FrameBuffer first = render_reference(scene, Filter::bilinear, ReferenceNormals::normal_map);
   CHECK(first.colour == render_reference(scene, Filter::bilinear, ReferenceNormals::normal_map).colour);
+}
+
+TEST_CASE("rows drawn by several threads, both references at once, are those drawn one after another") {
+  Scene scene = shapes::scene(shapes::sphere(12), 96);
+  scene.background = {0.1, 0.2, 0.3};
+  const auto heights = shapes::hills(64, 1.5);
+  scene.objects[0].heights = heights;
+  scene.objects[0].normals = shapes::normals_of(*heights);
+  const Filter filter = GENERATE(Filter::nearest, Filter::bilinear, Filter::trilinear);
+  ReferenceRenderer renderer(scene, filter, true, true);
+  for_row_bands(scene.height, 5, 3, [&](int first_row, int end_row) { renderer.draw_rows(first_row, end_row); });
+  const References both = renderer.release();
+  REQUIRE(both.blinn);
+  for (const ReferenceNormals which : {ReferenceNormals::normal_map, ReferenceNormals::blinn}) {
+    const FrameBuffer alone = render_reference(scene, filter, which);
+    const FrameBuffer& together = which == ReferenceNormals::blinn ? *both.blinn : both.normal_map;
+    CHECK(together.colour == alone.colour);
+    CHECK(together.object == alone.object);
+    CHECK(together.depth == alone.depth);
+  }
+  CHECK(both.normal_map.colour != both.blinn->colour);
+}
+
+TEST_CASE("coverage is what a look at every pixel and every triangle gives") {
+  Scene scene = shapes::scene(GENERATE(shapes::sphere(9), shapes::plane(3, 2)), 70);
+  scene.height = 53;
+  scene.camera.eye = {GENERATE(0.0, 0.7), 0.4, 2.1};
+  const bool cull = GENERATE(true, false);
+  const glm::dmat4 to_clip = world_to_clip(scene.camera, scene.width, scene.height, far_distance(scene)) * scene.objects[0].to_world;
+  const Coverage coverage = cover(scene, {to_clip}, cull);
+  const Mesh& mesh = *scene.objects[0].mesh;
+  Coverage expected = coverage;
+  std::fill(expected.triangle.begin(), expected.triangle.end(), -1);
+  std::fill(expected.depth.begin(), expected.depth.end(), 1.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<glm::dvec4, 3> clip{};
+    for (int corner = 0; corner < 3; ++corner)
+      clip[static_cast<std::size_t>(corner)] = to_clip * glm::dvec4{mesh.vertices[mesh.triangles[t][corner]].position, 1.0};
+    const ScreenTriangle triangle = make_screen_triangle(clip, cull);
+    for (int pixel = 0; triangle.drawable && pixel < scene.width * scene.height; ++pixel) {
+      const glm::dvec3 p = pixel_centre(pixel % scene.width, pixel / scene.width, scene.width, scene.height);
+      if (!triangle.contains(p)) continue;
+      const glm::dvec3 weight = triangle.weights(p);
+      const glm::dvec4 at = clip[0] * weight.x + clip[1] * weight.y + clip[2] * weight.z;
+      const double depth = (at.z / at.w + 1) * 0.5;
+      if (at.z < -at.w || at.z > at.w || !(depth < expected.depth[static_cast<std::size_t>(pixel)])) continue;
+      expected.depth[static_cast<std::size_t>(pixel)] = depth;
+      expected.triangle[static_cast<std::size_t>(pixel)] = static_cast<std::int32_t>(t);
+    }
+  }
+  CHECK(coverage.triangle == expected.triangle);
+  CHECK(coverage.depth == expected.depth);
 }

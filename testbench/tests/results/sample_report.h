@@ -90,6 +90,7 @@ struct Sample {
     report.host = {0.5, 500, 20, "g++", "bumpsim"};
     const FrameBuffer reference = frame(size, size, 0);
     measure_quality(report, &reference, nullptr);
+    report.error_picture = error_image(result.hardware, reference);
   }
 };
 

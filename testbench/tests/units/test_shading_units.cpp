@@ -152,6 +152,23 @@ TEST_CASE("on a plane the delivered light direction is exact in double precision
   CHECK(Shading(scene).environment.meter().hardware().empty());
 }
 
+TEST_CASE("angular errors measured by a thread of its own are the same to the last bit") {
+  ContextOptions options;
+  options.probe_directions = true;
+  const Scene scene = samples::scene({samples::object(samples::sphere(24))});
+  const Shading at_once(scene, options);
+  options.measure_aside = true;
+  const Shading aside(scene, options);
+  for (const bool exact : {false, true}) {
+    const auto errors_of = [exact](const Shading& s) { return exact ? s.environment.meter().exact() : s.environment.meter().hardware(); };
+    const AngularError expected = errors_of(at_once)[0], error = errors_of(aside)[0];
+    CHECK(error.count == expected.count);
+    CHECK(error.mean_degrees == expected.mean_degrees);
+    CHECK(error.rms_degrees == expected.rms_degrees);
+    CHECK(error.max_degrees == expected.max_degrees);
+  }
+}
+
 TEST_CASE("only vectors that light the surface count for angular errors") {
   ContextOptions options;
   options.probe_directions = true;
