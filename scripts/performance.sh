@@ -15,7 +15,7 @@ $bench/bench_stages 2>/dev/null >"$work/stages.md"
 $bench/bench_stages --rounds 3 --scenes world_sphere --sizes 256,512,1024,2048,4096,8192 2>/dev/null >"$work/sizes.md"
 $bench/bench_datapath >"$work/datapath.txt"
 for scene in world_sphere bunny; do
-  build/bumpsim run $scene --no-quality --record "$work/$scene.trace" --out "$work/$scene" >/dev/null
+  build/bumpsim run $scene --no-quality --record "$work/$scene.trace" --addresses --out "$work/$scene" >/dev/null
 done
 $bench/bench_dates "$work/world_sphere.trace" "$work/bunny.trace" >"$work/dates.md"
 $bench/bench_retime "$work/world_sphere.trace" "$work/bunny.trace" >"$work/retime.json"

@@ -47,9 +47,9 @@ def main():
     print("# Performance\n")
     print(f"Written by `scripts/performance.sh`; one core, {processor}. Only ratios of one run mean anything: machines differ, and this one is shared.\n")
     print("## Engines\n")
-    print("The simulation alone (`--no-quality`, neither reading the scene nor writing the result; encoding of bump maps and tables is in it).\n")
+    print("The simulation alone (`--no-quality`; without reading the scene, preparing designs, tables and encoded maps, which is the same for all engines, and writing the result). A scene that stalls, with many cycles a fragment, flatters the first ratio.\n")
     print((work / "engines.md").read_text())
-    print("With larger frames, where what is done once weighs less:\n")
+    print("With larger frames:\n")
     print((work / "engines-large.md").read_text())
     print("## Dates alone\n")
     print("The timing planes without any values, fed with the records of a recorded run (512 x 512): the clocked engine, the recurrence as a loop written by hand, "
@@ -64,13 +64,16 @@ def main():
     print("Netlists evaluated in blocks, against the Lee 2007 datapath written by hand as one vectorised loop in double precision.\n")
     print("```\n" + (work / "datapath.txt").read_text() + "```\n")
     print("## Re-timing\n")
-    print("Million fragment-configurations a second on one core; bytes of the trace for a fragment.\n")
-    print("| trace | bytes | timeline | vectors, depths alike | vectors, all depths different |")
-    print("|--|--:|--:|--:|--:|")
+    print("Million fragment-configurations a second on one core; with other caches, million fragments a second through the cache model (one cache, and eight at once); "
+          "bytes of the trace for a fragment, without and with addresses.\n")
+    print("| trace | bytes | with addresses | timeline | vectors, depths alike | vectors, all depths different | one cache | eight caches |")
+    print("|--|--:|--:|--:|--:|--:|--:|--:|")
     for trace in json.loads((work / "retime.json").read_text()):
         rate = trace["million_fragment_configurations_per_s"]
-        print(f"| {trace['scene']}, {trace['scheme']} | {trace['bytes_per_fragment']:.2f} | {rate['timeline, depths alike']:.0f} "
-              f"| {rate['vectors, depths alike']:.0f} | {rate['vectors, all depths different']:.0f} |")
+        caches = trace["million_fragment_caches_per_s"]
+        print(f"| {trace['scene']}, {trace['scheme']} | {trace['bytes_per_fragment']:.2f} | {trace['bytes_per_fragment_with_addresses']:.2f} "
+              f"| {rate['timeline, depths alike']:.0f} | {rate['vectors, depths alike']:.0f} | {rate['vectors, all depths different']:.0f} "
+              f"| {caches['texture cache']:.0f} | {caches['texture caches, eight at once']:.0f} |")
     sweep = ["build/bumpsim", "retime", work / "world_sphere.trace", "--format", "csv", "--jobs", "2",
              "--sweep", "memory.latency=" + ",".join(str(10 * i) for i in range(1, 101)),
              "--sweep", "fifos.depth=" + ",".join(str(i) for i in range(2, 102))]

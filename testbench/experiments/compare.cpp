@@ -8,6 +8,7 @@
 #include "datapath/invariant.h"
 #include "testbench/experiments/child_processes.h"
 #include "testbench/experiments/measured_run.h"
+#include "testbench/reference/cores.h"
 #include "testbench/results/result_json.h"
 
 namespace bump {
@@ -139,7 +140,8 @@ Comparison compare(const Scene& scene, const std::vector<const Scheme*>& schemes
                    const ComparisonOptions& options) {
   BUMP_ASSERT(!schemes.empty());
   engine_of(options.engine);
-  const References references = draw_references(scene, configuration, options.cancelled);
+  const References references =
+      draw_references(scene, configuration, options.cancelled, options.jobs > 0 ? options.jobs : cores_of_process());
   const PictureGrid grid(scene.width, scene.height, static_cast<int>(schemes.size()) + 1);
 
   std::vector<ChildTask> tasks;
