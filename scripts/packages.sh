@@ -1,7 +1,7 @@
 # Sourced by the other scripts: installs the Debian packages that the build needs and this machine lacks.
 
 build_packages=(g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libcli11-dev libtomlplusplus-dev
-  nlohmann-json3-dev libfmt-dev libtinyobjloader-dev catch2)
+  nlohmann-json3-dev libfmt-dev libtinyobjloader-dev libpng-dev libopenexr-dev catch2)
 
 # install_packages NAME...: does nothing, and needs no network, when all are there.
 install_packages() {

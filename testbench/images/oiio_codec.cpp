@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "testbench/images/image_codec.h"
+#include "testbench/images/image_errors.h"
 #include "testbench/scene/image.h"
 
 namespace bump {
@@ -28,7 +29,6 @@ bool has_suffix(const std::string& path, const std::string& suffix) {
 
 /// The reader for the content, "" if nothing is recognised. Targa has no mark at its front, so that its name decides.
 std::string format_of(const std::string& path, const std::string& bytes) {
-  if (begins_with(bytes, "\x89PNG\r\n\x1a\n", 8)) return "png";
   if (begins_with(bytes, "\xff\xd8\xff", 3)) return "jpeg";
   if (begins_with(bytes, "\x76\x2f\x31\x01", 4)) return "openexr";
   if (begins_with(bytes, "II*\0", 4) || begins_with(bytes, "MM\0*", 4)) return "tiff";
@@ -82,50 +82,14 @@ bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, OIIO::Typ
   return true;
 }
 
-/// OpenImageIO writes the current time into an EXR that has no date of its own.
-constexpr const char* no_date = "1970:01:01 00:00:00";
-
-/// Rendered frames hardly get smaller at higher levels, which take several times as long as the simulation of the frame.
-constexpr int quick_deflate = 1;
-
-std::string encode(const std::string& name, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels, std::string& error) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(name, &memory);
-  if (!output) {
-    error = OIIO::geterror();
-    return "";
-  }
-  if (!output->open(name, spec) || !output->write_image(type, pixels) || !output->close()) {
-    error = output->geterror();
-    return "";
-  }
-  return {bytes.begin(), bytes.end()};
-}
-
 class OiioCodec : public ImageCodec {
  public:
   std::optional<ErrorText> decode(const std::string& path, const std::string& bytes, const Location& where, Image& image) const override;
-
-  std::string encode_png(int width, int height, const unsigned char* pixels, std::string& error) const override {
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("png:compressionLevel", quick_deflate);
-    return encode("frame.png", spec, OIIO::TypeDesc::UINT8, pixels, error);
-  }
-
-  std::string encode_exr(int width, int height, const float* pixels, std::string& error) const override {
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
-    spec.attribute("compression", "zip:" + std::to_string(quick_deflate));
-    spec.attribute("DateTime", no_date);
-    return encode("frame.exr", spec, OIIO::TypeDesc::FLOAT, pixels, error);
-  }
 };
 
 std::optional<ErrorText> OiioCodec::decode(const std::string& path, const std::string& bytes, const Location& where, Image& image) const {
   const std::string named = "texture '" + path + "'";
-  const auto damaged = [&](const std::string& why) {
-    return ErrorText{named + " is truncated or damaged", where, why, "restore or re-export the file"};
-  };
+  const auto damaged = [&](const std::string& why) { return damaged_image(path, where, why); };
 
   const std::string format = format_of(path, bytes);
   if (format.empty()) {
@@ -147,13 +111,7 @@ std::optional<ErrorText> OiioCodec::decode(const std::string& path, const std::s
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) return ErrorText{named + " has no pixels", where, "", "re-export the file"};
   if (spec.depth > 1 || spec.deep)
     return ErrorText{named + " is not a flat picture", where, "volumes and deep images have no place here", ""};
-  if (spec.width > largest_image_side || spec.height > largest_image_side ||
-      static_cast<long>(spec.width) * spec.height > largest_image_texels || spec.nchannels > 16) {
-    return ErrorText{named + " is too big", where,
-                     std::to_string(spec.width) + " x " + std::to_string(spec.height) + " x " + std::to_string(spec.nchannels) +
-                         " channels; allowed 16384 on a side, 67108864 texels, 16 channels",
-                     "scale it down"};
-  }
+  if (auto wrong = too_big_image(path, where, spec.width, spec.height, spec.nchannels)) return wrong;
 
   image.width = spec.width;
   image.height = spec.height;

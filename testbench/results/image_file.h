@@ -11,7 +11,14 @@ namespace bump {
 /// 8 bits a channel, colours clamped to [0, 1] and rounded to nearest (halves up).
 std::string encode_png(const FrameBuffer& frame);
 
-/// 32-bit floating point, colours as they are, zip compression.
+/// 32-bit floating point, colours as they are.
 std::string encode_exr(const FrameBuffer& frame);
+
+struct FrameFiles {
+  std::string png, exr;
+};
+
+/// Both, in two threads where the process has two cores.
+FrameFiles encode_both(const FrameBuffer& frame);
 
 }  // namespace bump

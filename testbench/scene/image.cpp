@@ -5,13 +5,16 @@
 #include <optional>
 
 #include "testbench/images/image_codec.h"
+#include "testbench/images/png_reader.h"
 
 namespace bump {
 
 Image decode_image(const std::string& path, const std::string& bytes, const Location& from) {
   Image image;
   const Location where = from.file.empty() ? Location{path, 0, 0} : from;
-  if (std::optional<ErrorText> wrong = image_codec().decode(path, bytes, where, image)) throw Error(*wrong);
+  const std::optional<ErrorText> wrong =
+      is_png(bytes) ? decode_png(path, bytes, where, image) : image_codec().decode(path, bytes, where, image);
+  if (wrong) throw Error(*wrong);
   return image;
 }
 

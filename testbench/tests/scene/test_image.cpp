@@ -1,5 +1,3 @@
-#include <OpenImageIO/imageio.h>
-
 #include <cmath>
 #include <limits>
 
