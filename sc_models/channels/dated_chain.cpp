@@ -12,6 +12,9 @@ namespace {
 /// Tokens that are dated before they are counted: few enough for their dates to stay in the nearest caches.
 constexpr std::int64_t tokens_at_a_time = 256;
 
+/// Stages and FIFOs that hold more are dated one by one: the buffers of all stages have room for what one of them holds.
+constexpr std::int64_t most_held = 1024;
+
 /// Behind the head: takes and removes an item, and gives one to whoever follows.
 bool passes_on(const TokenRecord& record, bool last) {
   return record.release != 0 && (record.give != 0 || last);
@@ -26,7 +29,11 @@ DatedChain::DatedChain(const TimingGraph& graph, std::vector<DatedStage*> stages
            graph.inputs_of(static_cast<int>(next)).size() == 1;
   };
   const auto fits = [&](std::size_t stage) {
-    return graph.stages[stage].batch == 1 && graph.inputs_of(static_cast<int>(stage)).size() <= 1;
+    const std::vector<int> outputs = graph.outputs_of(static_cast<int>(stage));
+    const bool shallow = std::all_of(outputs.begin(), outputs.end(),
+                                     [&](int fifo) { return graph.fifos[static_cast<std::size_t>(fifo)].depth <= most_held; });
+    return shallow && graph.stages[stage].capacity <= most_held && graph.stages[stage].batch == 1 &&
+           graph.inputs_of(static_cast<int>(stage)).size() <= 1;
   };
   if (stages_.empty() || !graph.outputs_of(static_cast<int>(stages_.size()) - 1).empty() || !fits(stages_.size() - 1)) return;
   std::size_t first = stages_.size() - 1;

@@ -64,18 +64,29 @@ void Retimer::check(const Configuration& configuration) const {
     if (configuration.parameters().find(key)->timing_only || entry.value == before || is_unused(key)) continue;
     const bool needs_addresses = is_fetch_key(key);
     if (needs_addresses && trace_.has_addresses()) continue;
-    const std::string again_with = "bumpsim run " + trace_.scene + " --scheme " + trace_.scheme;
     if (needs_addresses)
       throw Error({key + " = " + quoted(entry.value) + " cannot be retimed: the trace holds no addresses", entry.origin,
                    "it was recorded with " + quoted(before) + ", and what other caches find follows from the addresses",
-                   "record again, with the addresses: " + again_with + " --record FILE --addresses"});
+                   "record again, with the addresses: " + command_again({}, " --addresses")});
     throw Error({key + " = " + quoted(entry.value) + " cannot be retimed: the trace was recorded with " + quoted(before), entry.origin,
                  "it is more than timing: it can change values, routes, cache hits or intervals, which the trace holds",
-                 "record again: " + again_with + " --set " + key + "=" + to_string(entry.value) + " --record FILE"});
+                 "record again: " + command_again({key, to_string(entry.value)})});
   }
   if (!fetches_anew(configuration)) return;
   const FetchSettings settings = fetch_settings(configuration);
   if (const LightMaps* maps = light_maps()) LightMapFetch::layout_of(*maps, settings.light_maps.cache.line_bytes);
+}
+
+/// What records the run anew, with a setting changed.
+std::string Retimer::command_again(const std::pair<std::string, std::string>& changed, const std::string& more) const {
+  const bool has_file = !trace_.inputs.empty();
+  std::string command = "bumpsim run " + (has_file ? "SCENE" : trace_.scene) + " --scheme " + trace_.scheme;
+  for (const auto& [key, entry] : recorded_.entries())
+    if (key != changed.first && !(entry.value == recorded_.parameters().find(key)->fallback))
+      command += " --set " + key + "=" + to_string(entry.value);
+  if (!changed.first.empty()) command += " --set " + changed.first + "=" + changed.second;
+  command += " --record FILE" + more;
+  return has_file ? command + ", where SCENE was '" + trace_.inputs.front().path + "'" : command;
 }
 
 bool Retimer::is_fetch_key(const std::string& key) const {

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "retiming/refetch.h"
@@ -51,6 +52,7 @@ class Retimer {
   RetimedRun retime(const Configuration& configuration, const std::function<void(double)>& watch = {});
 
  private:
+  std::string command_again(const std::pair<std::string, std::string>& changed, const std::string& more = "") const;
   /// Of light maps, in a design without.
   bool is_unused(const std::string& key) const;
 

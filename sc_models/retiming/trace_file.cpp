@@ -10,7 +10,7 @@ namespace bump {
 
 namespace {
 
-const std::string magic = "bumptrc\n";
+const std::string magic = trace_magic;
 constexpr std::size_t digest_size = 64;
 constexpr const char* again = "bumpsim run SCENE --record FILE makes a new one";
 

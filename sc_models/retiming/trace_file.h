@@ -18,6 +18,7 @@
 namespace bump {
 
 constexpr std::uint64_t trace_version = 2;
+constexpr const char* trace_magic = "bumptrc\n";  ///< how a trace begins
 
 std::string encode_trace(const TimingTrace& trace);
 

@@ -64,9 +64,9 @@ Row measure(const TimingTrace& trace, const TokenProgram& program, const Pipelin
   };
   const auto by_hand = [&] { BUMP_ASSERT(cycles == bench::RecurrenceByHand(timing).run(program)); };
   const auto timeline = [&] { BUMP_ASSERT(cycles == replay(trace, timing).timing.cycles); };
-  const std::vector<double> medians =
+  const bench::Interleaved taken =
       bench::interleaved({timed("stepped", stepped), timed("by hand", by_hand), timed("timeline", timeline)}, rounds);
-  return {trace.scene + ", " + trace.scheme, depth, cycles, trace.fragments(), medians[0], medians[1], medians[2]};
+  return {trace.scene + ", " + trace.scheme, depth, cycles, trace.fragments(), taken.of(0), taken.of(1), taken.of(2)};
 }
 
 /// A chain with random latencies, whose tokens take one cycle in most stages and now and then two.
@@ -115,9 +115,9 @@ Row measure_long_chain(const std::string& depth, int rounds) {
                   return given = true;
                 }));
   };
-  const std::vector<double> medians =
+  const bench::Interleaved taken =
       bench::interleaved({timed("stepped", stepped), timed("timeline", [&] { BUMP_ASSERT(date() == cycles); })}, rounds);
-  return {"chain of " + std::to_string(long_chain_stages), depth, cycles, long_chain_tokens, medians[0], 0, medians[1]};
+  return {"chain of " + std::to_string(long_chain_stages), depth, cycles, long_chain_tokens, taken.of(0), 0, taken.of(1)};
 }
 
 std::string markdown(const std::vector<Row>& rows) {

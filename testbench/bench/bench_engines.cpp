@@ -25,7 +25,7 @@ struct Settings {
   int rounds = 5, size = 512;
   std::vector<std::string> scenes = {"wood_plane", "brick_cube", "world_sphere", "brick_torus", "bunny"};
   std::vector<std::string> schemes = {"lee2007", "peercy1997", "kim2001"};
-  std::vector<std::string> depths = {"1", "4", "16", "256"};
+  std::vector<std::string> depths = {"1", "2", "4", "16", "256"};
   bool json = false;
 };
 
@@ -58,6 +58,7 @@ Settings settings_of(int argc, char* argv[]) {
 struct Row {
   std::string scene, scheme, depth;
   double cycles_per_fragment = 0, stepped_s = 0, dated_s = 0, untimed_s = 0;
+  double stepped_to_dated = 0, dated_to_untimed = 0;
   std::int64_t fragments = 0;
 };
 
@@ -87,10 +88,11 @@ Row measure(const Scene& scene, const std::string& id, const std::string& depth,
   if (counted.error) throw Error(*counted.error);
   long long cycles = 0, fragments = 0;
   std::sscanf(counted.bytes.c_str(), "%lld %lld", &cycles, &fragments);
-  const std::vector<double> medians = bench::interleaved(
+  const bench::Interleaved taken = bench::interleaved(
       {variant("stepped", Engine::stepped), variant("dated", Engine::dated), variant("untimed", Engine::untimed)}, rounds);
-  return {scene.name, id,         depth,      static_cast<double>(cycles) / static_cast<double>(fragments),
-          medians[0], medians[1], medians[2], fragments};
+  return {scene.name,        id,          depth,       static_cast<double>(cycles) / static_cast<double>(fragments),
+          taken.of(0),       taken.of(1), taken.of(2), taken.ratio(0, 1),
+          taken.ratio(1, 2), fragments};
 }
 
 std::string markdown(const std::vector<Row>& rows, const Settings& s) {
@@ -99,7 +101,7 @@ std::string markdown(const std::vector<Row>& rows, const Settings& s) {
   text += "|--|--|--:|--:|--:|--:|--:|\n";
   for (const Row& row : rows)
     text += fmt::format("| {} | {} | {} | {:.2f} | {:.1f} | {:.2f} | {:.2f} |\n", row.scene, row.scheme, row.depth, row.cycles_per_fragment,
-                        row.stepped_s / row.dated_s, row.dated_s / row.untimed_s, static_cast<double>(row.fragments) / row.dated_s / 1e6);
+                        row.stepped_to_dated, row.dated_to_untimed, static_cast<double>(row.fragments) / row.dated_s / 1e6);
   return text;
 }
 

@@ -68,10 +68,10 @@ Json measure_caches(const Retimer& retimer, int rounds) {
         {"light-map cache", [&accesses, maps, unit] { return seconds_of([&] { fetch_words(accesses, *maps, {unit}, nullptr); }); }});
     caches.push_back(1);
   }
-  const std::vector<double> medians = bench::interleaved(variants, rounds);
+  const bench::Interleaved taken = bench::interleaved(variants, rounds);
   Json json;
   for (std::size_t i = 0; i < variants.size(); ++i)
-    json[variants[i].name] = static_cast<double>(retimer.trace().fragments()) * caches[i] / medians[i] / 1e6;
+    json[variants[i].name] = static_cast<double>(retimer.trace().fragments()) * caches[i] / taken.of(i) / 1e6;
   return json;
 }
 
@@ -98,7 +98,7 @@ Json measure(const std::string& path, int rounds) {
                           });
                         }});
   }
-  const std::vector<double> medians = bench::interleaved(variants, rounds);
+  const bench::Interleaved taken = bench::interleaved(variants, rounds);
   Json json = {{"scene", trace.scene}, {"scheme", trace.scheme}, {"fragments", trace.fragments()}, {"triangles", trace.triangles()}};
   TimingTrace bare = trace;
   bare.accesses = {};
@@ -111,7 +111,7 @@ Json measure(const std::string& path, int rounds) {
   if (trace.has_addresses()) json["bytes_per_fragment_with_addresses"] = per_fragment(bytes.size());
   const double work = static_cast<double>(trace.fragments()) * static_cast<double>(LaneDates::width);
   for (std::size_t i = 0; i < variants.size(); ++i)
-    json["million_fragment_configurations_per_s"][variants[i].name] = work / medians[i] / 1e6;
+    json["million_fragment_configurations_per_s"][variants[i].name] = work / taken.of(i) / 1e6;
   if (trace.has_addresses()) json["million_fragment_caches_per_s"] = measure_caches(retimer, rounds);
   return json;
 }

@@ -25,9 +25,22 @@ inline double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-/// Median seconds of each variant over `rounds` rounds, in the order of the variants. Throws what a variant throws.
-inline std::vector<double> interleaved(const std::vector<Variant>& variants, int rounds) {
-  std::vector<std::vector<double>> taken(variants.size());
+/// Seconds of each variant in each round.
+struct Interleaved {
+  std::vector<std::vector<double>> seconds;  ///< [variant][round]
+  double of(std::size_t variant) const { return median(seconds[variant]); }
+  /// Median over the rounds of the ratio within a round: what disturbs the machine for longer than a round cancels out.
+  double ratio(std::size_t a, std::size_t b) const {
+    std::vector<double> ratios;
+    for (std::size_t round = 0; round < seconds[a].size(); ++round) ratios.push_back(seconds[a][round] / seconds[b][round]);
+    return median(ratios);
+  }
+};
+
+/// Every variant once in each of `rounds` rounds. Throws what a variant throws.
+inline Interleaved interleaved(const std::vector<Variant>& variants, int rounds) {
+  Interleaved taken;
+  taken.seconds.resize(variants.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < variants.size(); ++i) {
       const ChildTask task{variants[i].name, [&](const ReportShare&) { return fmt::format("{:.17g}", variants[i].seconds()); }};
@@ -35,12 +48,10 @@ inline std::vector<double> interleaved(const std::vector<Variant>& variants, int
       one.jobs = 1;
       const ChildOutcome outcome = run_in_children({task}, one).front();
       if (outcome.error) throw Error(*outcome.error);
-      taken[i].push_back(std::strtod(outcome.bytes.c_str(), nullptr));
+      taken.seconds[i].push_back(std::strtod(outcome.bytes.c_str(), nullptr));
     }
   }
-  std::vector<double> medians;
-  for (const std::vector<double>& each : taken) medians.push_back(median(each));
-  return medians;
+  return taken;
 }
 
 }  // namespace bump::bench

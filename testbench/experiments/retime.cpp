@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "retiming/lane_dates.h"
+#include "retiming/trace_file.h"
 #include "system/bound.h"
 #include "testbench/experiments/retime_team.h"
 #include "testbench/results/output_file.h"
@@ -235,6 +236,7 @@ std::vector<SweepRow> sweep(Retimer& retimer, const Configuration& base, const S
 
 void check_record_file(const std::string& path, const std::string& out, bool force) {
   check_output_file(path, force, "--record");
+  check_replaced_file(path, trace_magic, "timing trace", "--record");
   const fs::path file = fs::weakly_canonical(fs::absolute(path)), folder = fs::weakly_canonical(fs::absolute(out));
   const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
   (void)unused;

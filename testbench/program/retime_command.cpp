@@ -65,6 +65,8 @@ int retime_command(const RetimeArguments& arguments) {
   retimer.check(configuration);
   const SweepGrid grid(arguments.sweeps, configuration.parameters());
   for (const SweepAxis& axis : grid.axes()) {
+    if (!(configuration.entries().at(axis.key).value == retimer.recorded().entries().at(axis.key).value))
+      throw Error({axis.key + " is both set and swept", {}, "", "leave out --set, or that --sweep"});
     for (const ParameterValue& value : axis.values) {
       Configuration point = retimer.recorded();
       point.set(axis.key, value, {"--sweep", 0, 0});

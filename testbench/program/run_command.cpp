@@ -46,6 +46,12 @@ void check_trace(const RunArguments& arguments) {
                  {},
                  "the dated engine has no signals to write",
                  "--engine stepped --trace " + arguments.trace});
+  const auto same_file = [](const fs::path& a, const fs::path& b) {
+    return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+  };
+  if (!arguments.trace.empty() && !arguments.record.empty() &&
+      (same_file(arguments.trace, arguments.record) || same_file(arguments.trace + ".vcd", arguments.record)))
+    throw Error({"--trace and --record name the same file", {arguments.record}, "", "another file for one of them"});
 }
 
 /// Frames go as soon as nothing is measured with them any more.

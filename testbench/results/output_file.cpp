@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <system_error>
 
@@ -64,6 +65,18 @@ int write_all(int file, std::string_view bytes) {
 
 void check_output_file(const std::string& path, bool force, const std::string& option) {
   check(resolve(path, option), force, option);
+}
+
+void check_replaced_file(const std::string& path, const std::string& beginning, const std::string& kind, const std::string& option) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return;
+  std::string bytes(beginning.size(), '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (file.gcount() == 0 || bytes == beginning) return;
+  throw Error({"'" + path + "' is no " + kind + ", so --force does not replace it",
+               {},
+               "",
+               "another file with " + option + ", or remove that one"});
 }
 
 void write_output_file(const std::string& path, const std::string& text, bool force, const std::string& option) {

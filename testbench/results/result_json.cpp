@@ -228,6 +228,7 @@ Json to_json(const RunReport& report) {
                   {"peak_rss_mib", number(report.host.peak_rss_mib)},
                   {"compiler", report.host.compiler},
                   {"version", report.host.version}};
+  for (const HostTime& time : result.host_times) json["host"]["parts_s"][time.part] = time.seconds;
   return json;
 }
 

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""Between the commands of explore.sh: specifications of the sweeps that follow from the fits, one table of all fits, and the report."""
+
+import csv
+import json
+import pathlib
+import sys
+
+TARGETS = (30, 40, 48)
+OTHER_SCENES = ("brick_torus", "bunny")
+LIMITS = (1, 2, 4)
+PUBLISHED = ("blinn1978", "ernst1998", "kim2001", "kugler1998", "lee2007", "peercy1997")
+WITHOUT_BUMPS = ("phong1975",)
+
+
+def fits(work):
+    """Rows of all fits with their target, those with a design only."""
+    rows = []
+    for target in TARGETS:
+        for row in json.loads((work / f"fit-{target}.json").read_text())["rows"]:
+            if row["status"] in ("reached", "not_reached"):
+                rows.append(row)
+    return rows
+
+
+def distinct(rows):
+    """Designs that differ, in order: (scheme, widths)."""
+    seen = []
+    for row in rows:
+        if (row["scheme"], row["widths"]) not in seen:
+            seen.append((row["scheme"], row["widths"]))
+    return seen
+
+
+def list_entry(scene, scheme, widths, more=()):
+    lines = ["[[list]]", f'scene = "{scene}"', f'scheme = "{scheme}"']
+    lines += [f"{key} = {value}" for key, value in (pair.split("=") for pair in widths.split())]
+    lines += [f"{key} = {value}" for key, value in more]
+    return "\n".join(lines) + "\n"
+
+
+def write_specifications(work):
+    designs = distinct(fits(work))
+    head = "scenes = [{}]\nschemes = [{}]\nquality = {}\n"
+    schemes = ", ".join(f'"{s}"' for s in sorted({scheme for scheme, _ in designs}))
+
+    others = head.format(", ".join(f'"{s}"' for s in OTHER_SCENES), schemes, "true")
+    for scheme, widths in designs:
+        for scene in OTHER_SCENES:
+            others += list_entry(scene, scheme, widths)
+    (work / "others.toml").write_text(others)
+
+    limited = head.format('"world_sphere"', schemes, "false")
+    for scheme, widths in designs:
+        for limit in LIMITS:
+            limited += list_entry("world_sphere", scheme, widths, [("environment.multipliers", limit), ("illumination.multipliers", limit)])
+    (work / "limited.toml").write_text(limited)
+
+
+def write_table(work):
+    rows = fits(work)
+    columns = ["scheme", "psnr_target_db", "status", "psnr_worst_db", "multipliers", "adders", "multiplier_cells", "table_kilobytes", "area_nand2",
+               "energy_pj_per_fragment", "widths"]
+    with open(work / "fits.csv", "w", newline="") as file:
+        table = csv.DictWriter(file, columns, extrasaction="ignore", lineterminator="\n")
+        table.writeheader()
+        for row in rows:
+            table.writerow(row)
+
+
+def points(path):
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def has(point, scheme, widths):
+    return point["scheme"] == scheme and all(str(point.get(key)) == value for key, value in (pair.split("=") for pair in widths.split()))
+
+
+def number(value, digits):
+    return "-" if value is None else f"{value:.{digits}f}"
+
+
+def report(work):
+    rows = [row for row in fits(work) if row["scheme"] not in WITHOUT_BUMPS]
+    others, limited = points(work / "others" / "points.jsonl"), points(work / "limited" / "points.jsonl")
+    fit = json.loads((work / f"fit-{TARGETS[0]}.json").read_text())
+    area, energy = fit["prices"]["area"], fit["prices"]["energy"]
+
+    def held(row, scene):
+        found = [p.get("psnr_hardware_to_reference_db") for p in others if p["scene"] == scene and has(p, row["scheme"], row["widths"])]
+        return found[0] if found else None
+
+    def rate(row, limit):
+        found = [p.get("fragments_per_cycle") for p in limited
+                 if p.get("environment.multipliers") == limit and has(p, row["scheme"], row["widths"])]
+        return found[0] if found else None
+
+    print("# All schemes at equal quality\n")
+    print("Written by `scripts/explore.sh`. For each scheme `bumpsim fit` searches the widths and table sizes with the least area whose pictures of "
+          "wood_plane, brick_cube and world_sphere all reach a PSNR against the reference (512 x 512, schemes at their default settings otherwise). Brick_torus and bunny "
+          "were not used to choose anything. Marks: (R) in part a reconstruction; * this project's own, in no paper.\n")
+    print(f"Area in {area['unit']} by price table `{area['name']}` ({area['accuracy']}). Energy in {energy['unit']} a fragment by `{energy['name']}` "
+          f"({energy['accuracy']}). Both are of the per-pixel datapaths with their pipeline registers and tables, one fragment a clock; interpolators, colour unit, "
+          "texture and vertex work are not in them, and `bumpsim compare` lists these for every scheme.\n")
+    headline(rows, held)
+    for target in TARGETS:
+        print(f"## At {target} dB\n")
+        print("| scheme | PSNR, worst of three | brick_torus | bunny | multipliers | adders | table KB | area | energy | fragments a cycle with 1, 2, 4 multipliers a unit |")
+        print("|--|--:|--:|--:|--:|--:|--:|--:|--:|--|")
+        of_target = [row for row in rows if row["psnr_target_db"] == target]
+        reached = sorted((row for row in of_target if row["status"] == "reached"), key=lambda row: row["area_nand2"] or 1e99)
+        missed = sorted((row for row in of_target if row["status"] != "reached"), key=lambda row: -row["psnr_worst_db"])
+        for row in reached + missed:
+            rates = ", ".join(number(rate(row, limit), 2) for limit in LIMITS)
+            short = "" if row["status"] == "reached" else " (not reached)"
+            print(f"| {name(row)} | {row['psnr_worst_db']:.1f}{short} | {number(held(row, 'brick_torus'), 1)} | {number(held(row, 'bunny'), 1)} "
+                  f"| {row['multipliers']} | {row['adders']} | {row['table_kilobytes']:.2f} | {number(row['area_nand2'], 0)} "
+                  f"| {number(row['energy_pj_per_fragment'], 1)} | {rates} |")
+        print()
+    print("Fragments a cycle are those of world_sphere with the default FIFOs, vertex processor and memory, which allow 0.75 to 0.83 without a limit.\n")
+    print("## Fronts\n")
+    for which, text in (("area", "area"), ("energy", "energy"), ("tables", "table KB"), ("multipliers", "multiplier cells, the sum over multipliers of the product of their operands' widths")):
+        print(f"{text[0].upper() + text[1:]} against PSNR:\n\n![{text} against PSNR](pictures/pareto-{which}.svg)\n")
+    print("## Widths that were found\n")
+    for row in rows:
+        print(f"* {row['psnr_target_db']:.0f} dB, {name(row)}: {row['widths']}")
+
+
+def name(row):
+    return row["scheme"] + (" (R)" if row["reconstruction"] else "" if row["scheme"] in PUBLISHED + WITHOUT_BUMPS else "*")
+
+
+def headline(rows, held):
+    """What a designer should build, in numbers of this very table."""
+    print("## In short\n")
+    lee = max((row for row in rows if row["scheme"] == "lee2007"), key=lambda row: row["psnr_worst_db"])
+    print(f"* Lee 2007 reaches {lee['psnr_worst_db']:.1f} dB at any width, for {lee['area_nand2']:.0f} {'NAND2'} and {lee['energy_pj_per_fragment']:.1f} pJ a fragment.")
+    for target in TARGETS:
+        reached = [row for row in rows if row["psnr_target_db"] == target and row["status"] == "reached" and row["area_nand2"] is not None]
+        if not reached:
+            print(f"* At {target} dB no scheme is left.")
+            continue
+        best = min(reached, key=lambda row: row["area_nand2"])
+        thrifty = min(reached, key=lambda row: row["energy_pj_per_fragment"])
+        text = (f"* At {target} dB the least area is {name(best)}: {best['area_nand2']:.0f} NAND2, {best['multipliers']} multipliers, {best['table_kilobytes']:.2f} KB of tables; "
+                f"on the scenes not used to choose it {number(held(best, 'brick_torus'), 1)} dB (brick_torus) and {number(held(best, 'bunny'), 1)} dB (bunny). "
+                f"The least energy is {name(thrifty)} with {thrifty['energy_pj_per_fragment']:.1f} pJ.")
+        published = [row for row in reached if row["scheme"] in PUBLISHED]
+        if published:
+            theirs = min(published, key=lambda row: row["area_nand2"])
+            text += (f" The smallest published design there is {name(theirs)} with {theirs['area_nand2']:.0f} NAND2 "
+                     f"({theirs['area_nand2'] / best['area_nand2']:.1f} times) and {theirs['energy_pj_per_fragment']:.1f} pJ.")
+        else:
+            text += " No published design reaches it."
+        print(text)
+    print()
+
+
+def main():
+    step, work = sys.argv[1], pathlib.Path(sys.argv[2])
+    {"specification": write_specifications, "table": write_table, "report": report}[step](work)
+
+
+if __name__ == "__main__":
+    main()
