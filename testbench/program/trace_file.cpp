@@ -18,7 +18,6 @@
 
 #include "datapath/error.h"
 #include "datapath/invariant.h"
-#include "testbench/results/output_file.h"
 
 namespace bump {
 
@@ -109,7 +108,6 @@ void TraceFile::check_target() const {
   if (status.type() == fs::file_type::not_found) return;
   if (status.type() == fs::file_type::directory) cannot_write(path_, "it is a folder, not a file");
   if (status.type() != fs::file_type::regular && status.type() != fs::file_type::symlink) cannot_write(path_, "it is no regular file");
-  if (force_) check_replaced_file(path_, "$", "VCD file", "--trace");
   if (!force_) throw Error({"the trace exists already", {path_}, "", "replace it with --force, or name another file with --trace"});
 }
 

@@ -188,3 +188,31 @@ TEST_CASE("a trace is written whole or not at all, and never over another file u
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path())) ++files;
   CHECK(files == 3);
 }
+
+TEST_CASE("a record replaces nothing but a record, and shares no file with waveforms") {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", small_scene());
+  const std::string run = "run scene.toml --no-quality --engine stepped --force --out r --record ";
+  const Outcome slip = bumpsim(run + "scene.toml", folder.path());
+  CHECK(slip.code == 2);
+  CHECK(slip.err.find("is no timing trace") != std::string::npos);
+  CHECK(read_file(folder.path() / "scene.toml") == small_scene());
+  CHECK(bumpsim(run + "x.vcd --trace x", folder.path()).code == 2);
+  CHECK(bumpsim(run + "x.vcd --trace x.vcd", folder.path()).err.find("same file") != std::string::npos);
+  folder.write("empty", "");
+  CHECK(bumpsim(run + "empty", folder.path()).code == 0);
+  CHECK(bumpsim(run + "empty", folder.path()).code == 0);
+}
+
+TEST_CASE("what retime proposes to record again has the settings of the recorded run") {
+  const TemporaryFolder folder;
+  folder.write("scene.toml", small_scene());
+  REQUIRE(bumpsim("run scene.toml --no-quality --out r --record t --set rasterizer.order=tiled", folder.path()).code == 0);
+  for (const std::string key : {"texture_fetch.cache.sets=2", "texture_fetch.filter=nearest"}) {
+    const Outcome outcome = bumpsim("retime t --set " + key, folder.path());
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.find("--set rasterizer.order=tiled") != std::string::npos);
+    CHECK(outcome.err.find("scene.toml") != std::string::npos);
+  }
+  CHECK(bumpsim("retime t --set fifos.depth=3 --sweep fifos.depth=1,2", folder.path()).err.find("both set and swept") != std::string::npos);
+}
