@@ -19,12 +19,26 @@ bool any_real(const Node& node, const std::vector<Format>& operands) {
   return node.format.is_real || std::any_of(operands.begin(), operands.end(), [](const Format& f) { return f.is_real; });
 }
 
-void check_sum(const Node& node, const std::vector<Format>& operands, const std::string& whose) {
-  const int fraction = std::max(operands[0].fraction, operands[1].fraction);
-  for (const Format& operand : operands)
+void check_sum(const Node& node, const Format& a, const Format& b, const std::string& whose) {
+  const int fraction = std::max(a.fraction, b.fraction);
+  for (const Format& operand : {a, b})
     require(operand.width + fraction - operand.fraction <= widest_word - 1,
-            fmt::format("{}: operands {} and {} of {} need more than {} bits when their points are aligned", whose, to_string(operands[0]),
-                        to_string(operands[1]), name_of(node.op), widest_word - 1));
+            fmt::format("{}: operands {} and {} of {} need more than {} bits when their points are aligned", whose, to_string(a),
+                        to_string(b), name_of(node.op), widest_word - 1));
+}
+
+void check_barrel_shift(const Node& node, const std::vector<Format>& operands, const std::string& whose) {
+  require(!operands[1].is_signed && operands[1].fraction == 0,
+          whose + ": the places must be an unsigned whole number, not " + to_string(operands[1]));
+  require(
+      operands[0].width + std::max(0, node.format.fraction - operands[0].fraction) <= widest_word - 1,
+      fmt::format("{}: the operand {} needs more than {} bits at the result's fraction", whose, to_string(operands[0]), widest_word - 1));
+}
+
+void check_flags(const std::vector<Format>& operands, std::size_t count, const std::string& whose) {
+  const char* const which[] = {"first", "second"};
+  for (std::size_t i = 0; i < count; ++i)
+    require(operands[i] == flag(), fmt::format("{}: the {} operand must be a flag, not {}", whose, which[i], to_string(operands[i])));
 }
 
 void check_quotient(const Node& node, const std::vector<Format>& operands, const std::string& whose) {
@@ -118,7 +132,11 @@ void check_operator(const Node& node, const std::vector<Format>& operands, const
   switch (node.op) {
     case Op::add:
     case Op::sub:
-      if (!is_real) check_sum(node, operands, whose);
+      if (!is_real) check_sum(node, operands[0], operands[1], whose);
+      break;
+    case Op::add_sub:
+      check_flags(operands, 1, whose);
+      if (!is_real) check_sum(node, operands[1], operands[2], whose);
       break;
     case Op::mul:
       require(is_real || operands[0].width + operands[1].width <= widest_word,
@@ -142,7 +160,10 @@ void check_operator(const Node& node, const std::vector<Format>& operands, const
       if (!is_real)
         require(!operands[1].is_signed && operands[1].width - operands[1].fraction <= -operands[0].fraction,
                 fmt::format("{}: the bits of {} overlap those of {}", whose, to_string(operands[1]), to_string(operands[0])));
-      if (!is_real) check_sum(node, operands, whose);
+      if (!is_real) check_sum(node, operands[0], operands[1], whose);
+      break;
+    case Op::shift_by:
+      if (!is_real) check_barrel_shift(node, operands, whose);
       break;
     case Op::half_turn:
     case Op::is_beyond_quarter:
@@ -150,10 +171,13 @@ void check_operator(const Node& node, const std::vector<Format>& operands, const
       require(node.op == Op::half_turn || operands[0].width >= 2, whose + ": needs an angle of at least two bits");
       break;
     case Op::select:
-      require(operands[0] == flag(), whose + ": the first operand must be a flag, not " + to_string(operands[0]));
+      check_flags(operands, 1, whose);
       break;
     case Op::is_negative:
       require(operands[0].is_real || operands[0].is_signed, whose + ": an unsigned word is never negative");
+      break;
+    case Op::exclusive_or:
+      check_flags(operands, 2, whose);
       break;
     default:
       break;

@@ -10,7 +10,7 @@ namespace {
 
 /// Everything that decides what a node computes; operands by their first equal.
 auto key_of(const Netlist& netlist, const Node& node, std::vector<int> operands) {
-  if (node.op == Op::add || node.op == Op::mul) std::sort(operands.begin(), operands.end());
+  if (node.op == Op::add || node.op == Op::mul || node.op == Op::exclusive_or) std::sort(operands.begin(), operands.end());
   const Format& f = node.format;
   const std::string table = node.table < 0 ? "" : netlist.tables()[static_cast<std::size_t>(node.table)]->name;
   const std::string port = node.op == Op::input ? node.name : "";

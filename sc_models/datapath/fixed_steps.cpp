@@ -31,6 +31,13 @@ void prepare_wide(const Node& node, const Format& a, const Format& b, const Form
       s.rule = rounding_rule(common, to);
       break;
     }
+    case Op::add_sub: {
+      const int common = std::max(b.fraction, c.fraction);
+      s.left_a = common - b.fraction;
+      s.left_b = common - c.fraction;
+      s.rule = rounding_rule(common, to);
+      break;
+    }
     case Op::mul:
       s.rule = rounding_rule(a.fraction + b.fraction, to);
       break;
@@ -44,6 +51,10 @@ void prepare_wide(const Node& node, const Format& a, const Format& b, const Form
       break;
     case Op::shift:
       s.rule = rounding_rule(a.fraction - node.amount, to);
+      break;
+    case Op::shift_by:
+      s.left_a = std::max(0, to.fraction - a.fraction);
+      s.rule = rounding_rule(a.fraction + s.left_a, to);
       break;
     case Op::clamp:
       s.left_a = std::max(0, to.fraction - a.fraction);
@@ -76,6 +87,12 @@ void prepare_narrow(const Node& node, const Format& a, const Format& b, const Fo
       rule = narrow_rule(std::max(a.fraction, b.fraction), to, sum(left, node.op == Op::sub ? negated(right) : right));
       break;
     }
+    case Op::add_sub: {
+      if (s.left_a > 29 || s.left_b > 29) return;
+      const WordRange left = shifted(range_b, s.left_a), right = shifted(range_of(c), s.left_b);
+      rule = narrow_rule(std::max(b.fraction, c.fraction), to, either(sum(left, right), sum(left, negated(right))));
+      break;
+    }
     case Op::mul: {
       const WordRange exact = product(range_a, range_b);
       const int fraction = a.fraction + b.fraction, right = fraction - to.fraction;
@@ -97,6 +114,13 @@ void prepare_narrow(const Node& node, const Format& a, const Format& b, const Fo
     case Op::shift:
       rule = narrow_rule(a.fraction - node.amount, to, range_a);
       break;
+    case Op::shift_by: {
+      if (s.left_a > 29) return;
+      const WordRange exact = shifted(range_a, s.left_a);
+      if (!exact.fits_narrow_lane()) return;
+      rule = narrow_rule(a.fraction + s.left_a, to, exact);
+      break;
+    }
     case Op::negate:
       rule = narrow_rule(a.fraction, to, negated(range_a));
       break;
@@ -114,6 +138,7 @@ void prepare_narrow(const Node& node, const Format& a, const Format& b, const Fo
     case Op::half_turn:
     case Op::is_negative:
     case Op::is_beyond_quarter:
+    case Op::exclusive_or:
       rule = NarrowRule{};
       break;
     default:
@@ -134,6 +159,8 @@ void run_narrow(const FixedStep& s, int lanes) {
       return narrow::add(a, s.left_a, b, s.left_b, s.narrow_rule, out, lanes);
     case Op::sub:
       return narrow::subtract(a, s.left_a, b, s.left_b, s.narrow_rule, out, lanes);
+    case Op::add_sub:
+      return narrow::add_or_subtract(a, b, s.left_a, c, s.left_b, s.narrow_rule, out, lanes);
     case Op::mul:
       return narrow::multiply(a, b, s.wide_right, s.narrow_rule, out, lanes);
     case Op::div:
@@ -144,6 +171,8 @@ void run_narrow(const FixedStep& s, int lanes) {
       return narrow::read(*s.read, a, out, s.second_out.narrow, lanes);
     case Op::shift:
       return narrow::move(a, s.narrow_rule, out, lanes);
+    case Op::shift_by:
+      return narrow::move_by(a, s.left_a, b, s.narrow_rule, out, lanes);
     case Op::negate:
       return narrow::negate(a, s.narrow_rule, out, lanes);
     case Op::absolute:
@@ -159,6 +188,8 @@ void run_narrow(const FixedStep& s, int lanes) {
       return narrow::is_negative(a, out, lanes);
     case Op::is_beyond_quarter:
       return narrow::is_beyond_quarter(a, s.width, out, lanes);
+    case Op::exclusive_or:
+      return narrow::exclusive_or(a, b, out, lanes);
     case Op::input:
     case Op::constant:
     case Op::table:
@@ -173,6 +204,8 @@ void run_wide(const FixedStep& s, ConstWords a, ConstWords b, ConstWords c, Word
       return lanes::add(a, s.left_a, b, s.left_b, s.rule, out, lanes);
     case Op::sub:
       return lanes::subtract(a, s.left_a, b, s.left_b, s.rule, out, lanes);
+    case Op::add_sub:
+      return lanes::add_or_subtract(a, b, s.left_a, c, s.left_b, s.rule, out, lanes);
     case Op::mul:
       return lanes::multiply(a, b, s.rule, out, lanes);
     case Op::div:
@@ -186,6 +219,8 @@ void run_wide(const FixedStep& s, ConstWords a, ConstWords b, ConstWords c, Word
                          out, lanes);
     case Op::shift:
       return lanes::move(a, s.rule, out, lanes);
+    case Op::shift_by:
+      return lanes::move_by(a, s.left_a, b, s.rule, out, lanes);
     case Op::negate:
       return lanes::negate(a, s.rule, out, lanes);
     case Op::absolute:
@@ -200,6 +235,8 @@ void run_wide(const FixedStep& s, ConstWords a, ConstWords b, ConstWords c, Word
       return lanes::is_negative(a, out, lanes);
     case Op::is_beyond_quarter:
       return lanes::is_beyond_quarter(a, s.width, out, lanes);
+    case Op::exclusive_or:
+      return lanes::exclusive_or(a, b, out, lanes);
     case Op::input:
     case Op::constant:
       return;

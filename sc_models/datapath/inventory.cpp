@@ -12,6 +12,7 @@ Inventory& Inventory::operator+=(const Inventory& other) {
   tables += other.tables;
   maps += other.maps;
   second_ports += other.second_ports;
+  shifters += other.shifters;
   shifts += other.shifts;
   sign_logic += other.sign_logic;
   clamps += other.clamps;

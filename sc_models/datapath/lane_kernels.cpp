@@ -166,6 +166,15 @@ BUMP_LANE_LOOP void subtract(ConstWords a, int left_a, ConstWords b, int left_b,
         rule.apply(static_cast<std::int64_t>((static_cast<std::uint64_t>(a[i]) << left_a) - (static_cast<std::uint64_t>(b[i]) << left_b)));
 }
 
+BUMP_LANE_LOOP void add_or_subtract(ConstWords flags, ConstWords a, int left_a, ConstWords b, int left_b, RoundingRule rule, Words out,
+                                    int lanes) {
+  for (int i = 0; i < lanes; ++i) {
+    const std::int64_t inverted = -flags[i];
+    const auto second = static_cast<std::int64_t>(static_cast<std::uint64_t>(b[i]) << left_b);
+    out[i] = rule.apply(static_cast<std::int64_t>(static_cast<std::uint64_t>(a[i]) << left_a) + ((second ^ inverted) - inverted));
+  }
+}
+
 BUMP_LANE_LOOP void multiply(ConstWords a, ConstWords b, RoundingRule rule, Words out, int lanes) {
   for (int i = 0; i < lanes; ++i) out[i] = rule.apply(a[i] * b[i]);
 }
@@ -185,6 +194,13 @@ void root(ConstWords a, RootShape shape, bool narrow, Words out, int lanes) {
 
 BUMP_LANE_LOOP void move(ConstWords a, RoundingRule rule, Words out, int lanes) {
   for (int i = 0; i < lanes; ++i) out[i] = rule.apply(a[i]);
+}
+
+BUMP_LANE_LOOP void move_by(ConstWords a, int left, ConstWords k, RoundingRule rule, Words out, int lanes) {
+  for (int i = 0; i < lanes; ++i) {
+    const int places = static_cast<int>(k[i] < 62 ? k[i] : 62);  // all that is left of a word is its sign
+    out[i] = rule.apply(floor_shift(static_cast<std::int64_t>(static_cast<std::uint64_t>(a[i]) << left), places));
+  }
 }
 
 BUMP_LANE_LOOP void negate(ConstWords a, RoundingRule rule, Words out, int lanes) {
@@ -229,6 +245,10 @@ BUMP_LANE_LOOP void is_beyond_quarter(ConstWords a, int width, Words out, int la
     const std::uint64_t exactly = a[i] == std::int64_t{1} << (width - 2) ? 1 : 0;
     out[i] = static_cast<std::int64_t>(differ & ~exactly);
   }
+}
+
+BUMP_LANE_LOOP void exclusive_or(ConstWords a, ConstWords b, Words out, int lanes) {
+  for (int i = 0; i < lanes; ++i) out[i] = a[i] ^ b[i];
 }
 
 namespace {

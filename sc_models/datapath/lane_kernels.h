@@ -44,11 +44,15 @@ void to_double(ConstWords words, const Format& format, double* values, int lanes
 /// rule(a * 2^left_a + b * 2^left_b), and the difference.
 void add(ConstWords a, int left_a, ConstWords b, int left_b, RoundingRule rule, Words out, int lanes);
 void subtract(ConstWords a, int left_a, ConstWords b, int left_b, RoundingRule rule, Words out, int lanes);
+/// The difference where the flag is set, else the sum.
+void add_or_subtract(ConstWords flags, ConstWords a, int left_a, ConstWords b, int left_b, RoundingRule rule, Words out, int lanes);
 void multiply(ConstWords a, ConstWords b, RoundingRule rule, Words out, int lanes);
 /// `narrow`: dividend as shifted, divisor and radicand as shifted have at most narrow_bits bits.
 void divide(ConstWords a, ConstWords b, DividerShape shape, bool narrow, Words out, int lanes);
 void root(ConstWords a, RootShape shape, bool narrow, Words out, int lanes);
 void move(ConstWords a, RoundingRule rule, Words out, int lanes);
+/// rule(floor(a * 2^(left - k))); a * 2^left has at most 61 bits.
+void move_by(ConstWords a, int left, ConstWords k, RoundingRule rule, Words out, int lanes);
 void negate(ConstWords a, RoundingRule rule, Words out, int lanes);
 void absolute(ConstWords a, RoundingRule rule, Words out, int lanes);
 /// Inverts the top bit of a word of one turn.
@@ -58,6 +62,7 @@ void clamp(ConstWords a, int left, int right, std::int64_t low, std::int64_t hig
 void select(ConstWords flags, ConstWords a, RoundingRule rule_a, ConstWords b, RoundingRule rule_b, Words out, int lanes);
 void is_negative(ConstWords a, Words out, int lanes);
 void is_beyond_quarter(ConstWords a, int width, Words out, int lanes);
+void exclusive_or(ConstWords a, ConstWords b, Words out, int lanes);
 
 /// address_of() for every lane, an array of words per index word. negative and beyond are all ones where the index was reflected, else 0.
 void addresses(const Table& table, const std::array<ConstWords, 3>& index, Words address, Words negative, Words beyond, int lanes);

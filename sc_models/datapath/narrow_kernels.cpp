@@ -151,6 +151,16 @@ void subtract(ConstNarrowWords a, int left_a, ConstNarrowWords b, int left_b, Na
   subtract_aligned(a, b, rule, out, lanes);
 }
 
+BUMP_LANE_LOOP void add_or_subtract(const std::int32_t* __restrict flags, const std::int32_t* __restrict a, int left_a,
+                                    const std::int32_t* __restrict b, int left_b, NarrowRule rule, std::int32_t* __restrict out,
+                                    int lanes) {
+  for (int i = 0; i < lanes; ++i) {
+    const auto inverted = static_cast<std::uint32_t>(-flags[i]);
+    const std::uint32_t second = static_cast<std::uint32_t>(b[i]) << left_b;
+    out[i] = rule.apply((static_cast<std::uint32_t>(a[i]) << left_a) + ((second ^ inverted) - inverted));
+  }
+}
+
 void multiply(ConstNarrowWords a, ConstNarrowWords b, int wide_right, NarrowRule rule, NarrowWords out, int lanes) {
   if (wide_right >= 0) return multiply_wide(a, b, wide_right, rule, out, lanes);
   multiply_low(a, b, rule, out, lanes);
@@ -167,6 +177,14 @@ void root(ConstNarrowWords a, RootShape shape, NarrowWords out, int lanes) {
 
 BUMP_LANE_LOOP void move(const std::int32_t* __restrict a, NarrowRule rule, std::int32_t* __restrict out, int lanes) {
   for (int i = 0; i < lanes; ++i) out[i] = rule.apply(static_cast<std::uint32_t>(a[i]));
+}
+
+BUMP_LANE_LOOP void move_by(const std::int32_t* __restrict a, int left, const std::int32_t* __restrict k, NarrowRule rule,
+                            std::int32_t* __restrict out, int lanes) {
+  for (int i = 0; i < lanes; ++i) {
+    const std::int32_t places = k[i] < 31 ? k[i] : 31;  // all that is left of a word is its sign
+    out[i] = rule.apply(static_cast<std::uint32_t>(static_cast<std::int32_t>(static_cast<std::uint32_t>(a[i]) << left) >> places));
+  }
 }
 
 BUMP_LANE_LOOP void negate(const std::int32_t* __restrict a, NarrowRule rule, std::int32_t* __restrict out, int lanes) {
@@ -207,6 +225,11 @@ BUMP_LANE_LOOP void is_negative(const std::int32_t* __restrict a, std::int32_t* 
 BUMP_LANE_LOOP void is_beyond_quarter(const std::int32_t* __restrict a, int width, std::int32_t* __restrict out, int lanes) {
   const std::int32_t quarter = std::int32_t{1} << (width - 2);
   for (int i = 0; i < lanes; ++i) out[i] = (a[i] > quarter ? 1 : 0) | (a[i] < -quarter ? 1 : 0);
+}
+
+BUMP_LANE_LOOP void exclusive_or(const std::int32_t* __restrict a, const std::int32_t* __restrict b, std::int32_t* __restrict out,
+                                 int lanes) {
+  for (int i = 0; i < lanes; ++i) out[i] = a[i] ^ b[i];
 }
 
 }  // namespace bump::narrow

@@ -38,6 +38,9 @@ void shrink(const std::int64_t* words, NarrowWords out, int lanes);
 
 void add(ConstNarrowWords a, int left_a, ConstNarrowWords b, int left_b, NarrowRule rule, NarrowWords out, int lanes);
 void subtract(ConstNarrowWords a, int left_a, ConstNarrowWords b, int left_b, NarrowRule rule, NarrowWords out, int lanes);
+/// The difference where the flag is set, else the sum.
+void add_or_subtract(ConstNarrowWords flags, ConstNarrowWords a, int left_a, ConstNarrowWords b, int left_b, NarrowRule rule,
+                     NarrowWords out, int lanes);
 /// `wide_right` >= 0: the product takes 64 bits and is shifted that far, at most 32, before the rule.
 void multiply(ConstNarrowWords a, ConstNarrowWords b, int wide_right, NarrowRule rule, NarrowWords out, int lanes);
 /// Dividend, divisor and quotient below 2^50; shape.shift >= 0; at most 31 quotient bits kept.
@@ -45,6 +48,8 @@ void divide(ConstNarrowWords a, ConstNarrowWords b, DividerShape shape, NarrowWo
 /// Radicand below 2^50; shape.shift >= 0.
 void root(ConstNarrowWords a, RootShape shape, NarrowWords out, int lanes);
 void move(ConstNarrowWords a, NarrowRule rule, NarrowWords out, int lanes);
+/// rule(floor(a * 2^(left - k))); a * 2^left fits.
+void move_by(ConstNarrowWords a, int left, ConstNarrowWords k, NarrowRule rule, NarrowWords out, int lanes);
 void negate(ConstNarrowWords a, NarrowRule rule, NarrowWords out, int lanes);
 void absolute(ConstNarrowWords a, NarrowRule rule, NarrowWords out, int lanes);
 void half_turn(ConstNarrowWords a, int width, NarrowWords out, int lanes);
@@ -53,6 +58,7 @@ void select(ConstNarrowWords flags, ConstNarrowWords a, NarrowRule rule_a, Const
             int lanes);
 void is_negative(ConstNarrowWords a, NarrowWords out, int lanes);
 void is_beyond_quarter(ConstNarrowWords a, int width, NarrowWords out, int lanes);
+void exclusive_or(ConstNarrowWords a, ConstNarrowWords b, NarrowWords out, int lanes);
 
 }  // namespace narrow
 

@@ -27,6 +27,10 @@ inline WordRange sum(const WordRange& a, const WordRange& b) {
 inline WordRange negated(const WordRange& a) {
   return {-a.high, -a.low};
 }
+/// Of values from one range or the other.
+inline WordRange either(const WordRange& a, const WordRange& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
 inline WordRange magnitude(const WordRange& a) {
   return {0, std::max(-a.low, a.high)};
 }

@@ -38,6 +38,8 @@ const char* name_of(Op op) {
       return "add";
     case Op::sub:
       return "sub";
+    case Op::add_sub:
+      return "add_sub";
     case Op::mul:
       return "mul";
     case Op::div:
@@ -52,6 +54,8 @@ const char* name_of(Op op) {
       return "join";
     case Op::shift:
       return "shift";
+    case Op::shift_by:
+      return "shift_by";
     case Op::negate:
       return "negate";
     case Op::absolute:
@@ -66,6 +70,8 @@ const char* name_of(Op op) {
       return "is_negative";
     case Op::is_beyond_quarter:
       return "is_beyond_quarter";
+    case Op::exclusive_or:
+      return "exclusive_or";
   }
   return "";
 }
@@ -114,6 +120,10 @@ Wire Netlist::add(const std::string& name, Wire a, Wire b, Format format, const 
 
 Wire Netlist::sub(const std::string& name, Wire a, Wire b, Format format, const std::string& equation) {
   return append(make(Op::sub, name, {a.node, b.node}, format, equation));
+}
+
+Wire Netlist::add_sub(const std::string& name, Wire flag, Wire a, Wire b, Format format, const std::string& equation) {
+  return append(make(Op::add_sub, name, {flag.node, a.node, b.node}, format, equation));
 }
 
 Wire Netlist::mul(const std::string& name, Wire a, Wire b, Format format, const std::string& equation) {
@@ -190,6 +200,10 @@ Wire Netlist::shift(const std::string& name, Wire a, int k, Format format, const
   return append(std::move(node));
 }
 
+Wire Netlist::shift_by(const std::string& name, Wire a, Wire k, Format format, const std::string& equation) {
+  return append(make(Op::shift_by, name, {a.node, k.node}, format, equation));
+}
+
 Wire Netlist::negate(const std::string& name, Wire a, Format format, const std::string& equation) {
   return append(make(Op::negate, name, {a.node}, format, equation));
 }
@@ -220,6 +234,10 @@ Wire Netlist::is_negative(const std::string& name, Wire a) {
 
 Wire Netlist::is_beyond_quarter(const std::string& name, Wire a) {
   return append(make(Op::is_beyond_quarter, name, {a.node}, flag()));
+}
+
+Wire Netlist::exclusive_or(const std::string& name, Wire a, Wire b) {
+  return append(make(Op::exclusive_or, name, {a.node, b.node}, flag()));
 }
 
 void Netlist::output(const std::string& name, Wire a) {

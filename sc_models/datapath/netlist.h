@@ -7,6 +7,7 @@
 //   input       a named port; real numbers that arrive are rounded to nearest once, here
 //   constant    a named constant, rounded to nearest
 //   add, sub    exact sum, then the rounding rule of format.h
+//   add_sub     an adder whose second summand a flag inverts: a - b if the flag is set, else a + b, then the rounding rule
 //   mul         exact product, then the rounding rule
 //   div         sign-magnitude restoring division: floor(|a| 2^s / b) in `width` magnitude bits, sign of a; b unsigned.
 //               s makes the quotient's fraction. The low magnitude bits are kept; b = 0 gives all ones (of the magnitude)
@@ -14,6 +15,8 @@
 //   table       turns an index, of a map several, into a ROM address; `column` nodes are its outputs. A ROM may be read by a second port
 //   join        wiring: the sum of two words whose bits do not overlap, the second unsigned and below the first
 //   shift       wiring: a * 2^k, then the rounding rule; k = 0 only changes the format
+//   shift_by    barrel shifter: a * 2^-k by an unsigned whole k, then the rounding rule. In double precision k may lie between whole
+//               numbers, as nothing truncates it: its floor counts, so that 2^-(n + f) is `shift_by` n of a table of 2^-f, each given n + f
 //   negate      two's complement; absolute: negate if negative (both then wrap to the format)
 //   half_turn   adds half a turn to a full-turn angle: inverts the top bit
 //   clamp       saturates to constant bounds [low, high]
@@ -21,8 +24,9 @@
 //   is_negative sign bit as a flag
 //   is_beyond_quarter  flag: the cosine of a full-turn angle is negative: it lies in (1/4, 1/2) or [-1/2, -1/4). Exclusive or of its two
 //               top bits, unless the word is exactly a quarter turn
-// Multipliers, adders (a subtractor is an adder), dividers, square roots and tables are what Table 1 of Lee 2007 lists; everything else
-// is listed apart.
+//   exclusive_or  of two flags: the sign of a product whose factors' signs are at hand; with a constant flag of 1, the opposite
+// Multipliers, adders (a subtractor and an adder-subtractor are adders), dividers, square roots and tables are what Table 1 of Lee 2007
+// lists; everything else is listed apart, barrel shifters among it.
 
 #include <cstddef>
 #include <cstdint>
@@ -39,6 +43,7 @@ enum class Op : std::uint8_t {
   constant,
   add,
   sub,
+  add_sub,
   mul,
   div,
   sqrt,
@@ -46,13 +51,15 @@ enum class Op : std::uint8_t {
   column,
   join,
   shift,
+  shift_by,
   negate,
   absolute,
   half_turn,
   clamp,
   select,
   is_negative,
-  is_beyond_quarter
+  is_beyond_quarter,
+  exclusive_or
 };
 
 const char* name_of(Op op);
@@ -84,6 +91,7 @@ class Netlist {
   Wire constant(const std::string& name, double value, Format format);
   Wire add(const std::string& name, Wire a, Wire b, Format format, const std::string& equation = "");
   Wire sub(const std::string& name, Wire a, Wire b, Format format, const std::string& equation = "");
+  Wire add_sub(const std::string& name, Wire flag, Wire a, Wire b, Format format, const std::string& equation = "");
   Wire mul(const std::string& name, Wire a, Wire b, Format format, const std::string& equation = "");
   Wire div(const std::string& name, Wire a, Wire b, Format format, const std::string& equation = "");
   Wire sqrt(const std::string& name, Wire a, Format format, const std::string& equation = "");
@@ -96,6 +104,7 @@ class Netlist {
   /// high + low.
   Wire join(const std::string& name, Wire high, Wire low, Format format, const std::string& equation = "");
   Wire shift(const std::string& name, Wire a, int k, Format format, const std::string& equation = "");
+  Wire shift_by(const std::string& name, Wire a, Wire k, Format format, const std::string& equation = "");
   Wire negate(const std::string& name, Wire a, Format format, const std::string& equation = "");
   Wire absolute(const std::string& name, Wire a, Format format, const std::string& equation = "");
   Wire half_turn(const std::string& name, Wire a, const std::string& equation = "");
@@ -103,6 +112,7 @@ class Netlist {
   Wire select(const std::string& name, Wire flag, Wire if_set, Wire if_clear, Format format, const std::string& equation = "");
   Wire is_negative(const std::string& name, Wire a);
   Wire is_beyond_quarter(const std::string& name, Wire a);
+  Wire exclusive_or(const std::string& name, Wire a, Wire b);
   void output(const std::string& name, Wire a);
 
   /// Nodes recorded between these calls are additions to the published design (an in-plane angle, say): counted apart.

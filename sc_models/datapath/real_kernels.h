@@ -11,6 +11,8 @@ using ConstValues = const double*;
 void wrap(Values x, int lanes);
 void add(ConstValues a, ConstValues b, Values out, int lanes);
 void subtract(ConstValues a, ConstValues b, Values out, int lanes);
+/// The difference where the flag is set, else the sum.
+void add_or_subtract(ConstValues flags, ConstValues a, ConstValues b, Values out, int lanes);
 void multiply(ConstValues a, ConstValues b, Values out, int lanes);
 void divide(ConstValues a, ConstValues b, Values out, int lanes);
 void root(ConstValues a, Values out, int lanes);
@@ -20,6 +22,8 @@ void subtract_turns(ConstValues a, ConstValues b, Values out, int lanes);
 void negate_turns(ConstValues a, Values out, int lanes);
 void add_half_turn(ConstValues a, Values out, int lanes);
 void scale(ConstValues a, double factor, Values out, int lanes);
+/// a * 2^-floor(k), to the last bit while numbers are normal; k that is no number gives none.
+void scale_down_by(ConstValues a, ConstValues k, Values out, int lanes);
 void negate(ConstValues a, Values out, int lanes);
 void absolute(ConstValues a, Values out, int lanes);
 void add_half(ConstValues a, Values out, int lanes);
@@ -28,5 +32,6 @@ void clamp(ConstValues a, double low, double high, Values out, int lanes);
 void select(ConstValues flags, ConstValues a, ConstValues b, Values out, int lanes);
 void is_negative(ConstValues a, Values out, int lanes);
 void is_beyond_quarter(ConstValues a, Values out, int lanes);
+void exclusive_or(ConstValues a, ConstValues b, Values out, int lanes);
 
 }  // namespace bump::real_lanes

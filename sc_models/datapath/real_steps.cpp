@@ -38,6 +38,8 @@ void run_operator(const RealStep& s, int lanes) {
       return s.of_turns ? real_lanes::add_turns(a, b, out, lanes) : real_lanes::add(a, b, out, lanes);
     case Op::sub:
       return s.of_turns ? real_lanes::subtract_turns(a, b, out, lanes) : real_lanes::subtract(a, b, out, lanes);
+    case Op::add_sub:
+      return real_lanes::add_or_subtract(a, b, c, out, lanes);
     case Op::mul:
       return real_lanes::multiply(a, b, out, lanes);
     case Op::div:
@@ -51,6 +53,8 @@ void run_operator(const RealStep& s, int lanes) {
       return read_table(s, lanes);
     case Op::shift:
       return real_lanes::scale(a, s.factor, out, lanes);
+    case Op::shift_by:
+      return real_lanes::scale_down_by(a, b, out, lanes);
     case Op::negate:
       return s.of_turns ? real_lanes::negate_turns(a, out, lanes) : real_lanes::negate(a, out, lanes);
     case Op::absolute:
@@ -65,6 +69,8 @@ void run_operator(const RealStep& s, int lanes) {
       return real_lanes::is_negative(a, out, lanes);
     case Op::is_beyond_quarter:
       return real_lanes::is_beyond_quarter(a, out, lanes);
+    case Op::exclusive_or:
+      return real_lanes::exclusive_or(a, b, out, lanes);
     case Op::input:
     case Op::constant:
       return;

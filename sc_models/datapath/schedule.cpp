@@ -26,6 +26,7 @@ void check_latencies(const OperatorLatencies& latencies, int multiplier_limit) {
   check(latencies.multiplier, 0, "the latency of multipliers");
   check(latencies.table, 0, "the latency of tables");
   check(latencies.clamp, 0, "the latency of clamps");
+  check(latencies.shifter, 0, "the latency of barrel shifters");
   check(latencies.divider_bits_per_cycle, 1, "the number of quotient bits a cycle");
   check(latencies.square_root_bits_per_cycle, 1, "the number of root bits a cycle");
   check(multiplier_limit, 0, "the limit on multipliers");
@@ -53,6 +54,7 @@ int latency_of(const Node& node, const OperatorLatencies& latencies) {
   switch (node.op) {
     case Op::add:
     case Op::sub:
+    case Op::add_sub:
       return latencies.adder;
     case Op::mul:
       return latencies.multiplier;
@@ -64,6 +66,8 @@ int latency_of(const Node& node, const OperatorLatencies& latencies) {
       return latencies.table;  // the index encoder of a floating index is part of it
     case Op::clamp:
       return latencies.clamp;
+    case Op::shift_by:
+      return latencies.shifter;
     default:
       return 0;
   }

@@ -1,8 +1,8 @@
 #pragma once
 // Turns a netlist into a pipeline: the cycle in which every operator starts, the latency and the initiation interval. Without a limit on
 // multipliers every operator is its own hardware and a result leaves every cycle. With a limit of m, products share m multipliers: the
-// initiation interval is ceil(multipliers / m) and operators are placed, in order of their depth, in the earliest cycle in which a multiplier is free modulo
-// that interval.
+// initiation interval is ceil(multipliers / m) and operators are placed, in order of their depth, in the earliest cycle in which a
+// multiplier is free modulo that interval.
 
 #include <vector>
 
@@ -16,6 +16,7 @@ struct OperatorLatencies {
   int multiplier = 1;
   int table = 1;
   int clamp = 1;
+  int shifter = 1;                     ///< barrel shifter
   int divider_bits_per_cycle = 1;      ///< quotient magnitude bits resolved each cycle, >= 1
   int square_root_bits_per_cycle = 1;  ///< root bits resolved each cycle, >= 1
 };

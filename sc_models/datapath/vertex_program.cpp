@@ -47,6 +47,7 @@ Inventory count_nodes(const Netlist& netlist, const std::vector<bool>& which) {
         break;
       case Op::add:
       case Op::sub:
+      case Op::add_sub:
         ++inventory.adders;
         break;
       case Op::mul:
@@ -65,11 +66,15 @@ Inventory count_nodes(const Netlist& netlist, const std::vector<bool>& which) {
       case Op::shift:
         ++inventory.shifts;
         break;
+      case Op::shift_by:
+        ++inventory.shifters;
+        break;
       case Op::negate:
       case Op::absolute:
       case Op::half_turn:
       case Op::is_negative:
       case Op::is_beyond_quarter:
+      case Op::exclusive_or:
         ++inventory.sign_logic;
         break;
       case Op::clamp:

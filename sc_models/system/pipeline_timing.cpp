@@ -24,6 +24,7 @@ OperatorLatencies operator_latencies(const Configuration& c) {
   latencies.multiplier = static_cast<int>(c.integer("datapath.latency.multiplier"));
   latencies.table = static_cast<int>(c.integer("datapath.latency.table"));
   latencies.clamp = static_cast<int>(c.integer("datapath.latency.clamp"));
+  latencies.shifter = static_cast<int>(c.integer("datapath.latency.shifter"));
   latencies.divider_bits_per_cycle = static_cast<int>(c.integer("datapath.latency.divider_bits_per_cycle"));
   latencies.square_root_bits_per_cycle = static_cast<int>(c.integer("datapath.latency.square_root_bits_per_cycle"));
   return latencies;
@@ -47,7 +48,9 @@ MemorySpec memory_port(const std::string& name, Cycle address_latency, const Con
 
 }  // namespace
 
-const char* stage_name(int index) { return names[static_cast<std::size_t>(index)]; }
+const char* stage_name(int index) {
+  return names[static_cast<std::size_t>(index)];
+}
 
 void declare_pipeline_parameters(Parameters& p) {
   p.choice("numeric", "fixed", {"fixed", "double"}, "arithmetic of the per-pixel datapaths: bit-accurate fixed point, or double precision");
@@ -60,6 +63,7 @@ void declare_pipeline_parameters(Parameters& p) {
   p.integer("datapath.latency.multiplier", 1, 0, 64, "cycles", "a multiplication").timing_only = true;
   p.integer("datapath.latency.table", 1, 0, 64, "cycles", "a table read").timing_only = true;
   p.integer("datapath.latency.clamp", 1, 0, 64, "cycles", "a saturation").timing_only = true;
+  p.integer("datapath.latency.shifter", 1, 0, 64, "cycles", "a barrel shift").timing_only = true;
   p.integer("datapath.latency.divider_bits_per_cycle", 1, 1, 64, "bits", "quotient bits that a divider resolves each cycle").timing_only =
       true;
   p.integer("datapath.latency.square_root_bits_per_cycle", 1, 1, 64, "bits", "root bits that a square rooter resolves each cycle")
@@ -78,7 +82,8 @@ void declare_pipeline_parameters(Parameters& p) {
 DatapathSchedules make_schedules(const Design& design, const Netlist& colour, const Configuration& c) {
   const OperatorLatencies latencies = operator_latencies(c);
   DatapathSchedules schedules;
-  if (design.conversion) schedules.conversion = schedule(*design.conversion, latencies, static_cast<int>(c.integer("conversion.multipliers")));
+  if (design.conversion)
+    schedules.conversion = schedule(*design.conversion, latencies, static_cast<int>(c.integer("conversion.multipliers")));
   schedules.environment = schedule(design.environment, latencies, static_cast<int>(c.integer("environment.multipliers")));
   if (design.light_maps)
     schedules.light_map_address =
@@ -97,7 +102,8 @@ PipelineTiming make_pipeline_timing(const DatapathSchedules& s, int passes, cons
   if (converts) timing.interval[stage::interpolators] = serial_interval(s.conversion);
   timing.interval[stage::environment] = serial_interval(s.environment);
   timing.interval[stage::light_map_fetch] = serial_interval(s.light_map_address);
-  timing.interval[stage::illumination] = std::max(serial_interval(s.illumination), static_cast<std::uint32_t>(s.colour.initiation_interval));
+  timing.interval[stage::illumination] =
+      std::max(serial_interval(s.illumination), static_cast<std::uint32_t>(s.colour.initiation_interval));
 
   std::array<Cycle, stage::count> latency{};
   latency[stage::vertex_processor] = c.integer("vertex_processor.latency");

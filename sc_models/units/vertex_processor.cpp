@@ -79,7 +79,7 @@ VertexProcessorConfig::VertexProcessorConfig(const Configuration& c)
       space(c.choice("vertex_processor.space") == "eye" ? ShadingSpace::eye : ShadingSpace::object) {}
 
 std::int64_t operations(const Inventory& i) {
-  return i.multipliers + i.adders + i.dividers + i.square_roots + i.tables + i.maps;
+  return i.multipliers + i.adders + i.dividers + i.square_roots + i.tables + i.maps + i.shifters;
 }
 
 Netlist vertex_transform(const TransformNeeds& needs) {

@@ -6,14 +6,11 @@
 
 namespace bump {
 
-namespace {
+CosineTables cosine_tables(const LawOfCosines& f) {
+  return {cosine_table("COS", f.inner_angle(), f.table_bits, f.word_bits),
+          cosine_half_squared_table("COS2HALF", f.inner_angle(), f.table_bits, f.word_bits)};
+}
 
-struct CosineTables {
-  TablePtr cosine;               ///< of an inner angle: Eqs 24-25
-  TablePtr cosine_half_squared;  ///< cos^2(x/2), form 11
-};
-
-/// N'.V by Eq 24 or 25, in [-1, 1].
 Wire law_of_cosines(Netlist& n, Wire phi, Wire theta, Wire map_phi, Wire map_theta, const LawOfCosines& f, const CosineTables& t,
                     const std::string& equation) {
   const Format inner = f.inner_angle(), sum = sfixed(f.word_bits + 2, f.word_bits);
@@ -32,8 +29,6 @@ Wire law_of_cosines(Netlist& n, Wire phi, Wire theta, Wire map_phi, Wire map_the
   return n.shift("dot", twice, -1, sfixed(f.word_bits + 3, f.word_bits + 1), equation);
 }
 
-}  // namespace
-
 Netlist law_of_cosines_unit(const LawOfCosines& f, const PolarSettings& p, const Material& material) {
   Netlist n("illumination");
   const auto reference = [&](const std::string& name) { return n.input(name, f.inner_angle()); };
@@ -41,8 +36,7 @@ Netlist law_of_cosines_unit(const LawOfCosines& f, const PolarSettings& p, const
   const Wire half_phi = reference("H_ref.phi"), half_theta = reference("H_ref.theta");
   const Wire map_phi = n.input("map.phi", p.map_phi()), map_theta = n.input("map.theta", p.map_theta());
   const Wire phi = turned_azimuth(n, map_phi, p);
-  const CosineTables tables{cosine_table("COS", f.inner_angle(), f.table_bits, f.word_bits),
-                            cosine_half_squared_table("COS2HALF", f.inner_angle(), f.table_bits, f.word_bits)};
+  const CosineTables tables = cosine_tables(f);
   const auto clamped_dot = [&](const std::string& name, Wire vector_phi, Wire vector_theta, const std::string& equation) {
     const Netlist::Scope scope(n, name);
     return clamp_dot(n, "lit", law_of_cosines(n, vector_phi, vector_theta, phi, map_theta, f, tables, equation), f.word_bits);

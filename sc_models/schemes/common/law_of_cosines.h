@@ -5,6 +5,8 @@
 // went). In front, beside the published design, the in-plane angle is added to phi of the map. Leaves out ambient light and colour, which
 // all schemes share. Timing: that of the operators recorded.
 
+#include <string>
+
 #include "datapath/netlist.h"
 #include "schemes/common/polar_settings.h"
 #include "units/scene.h"
@@ -17,6 +19,16 @@ struct LawOfCosines {
   /// Angles inside the datapath: a table word resolves a quarter turn.
   Format inner_angle() const { return turns(word_bits + 2); }
 };
+
+struct CosineTables {
+  TablePtr cosine;               ///< "COS", of an inner angle: Eqs 24-25
+  TablePtr cosine_half_squared;  ///< "COS2HALF", cos^2(x/2), form 11
+};
+CosineTables cosine_tables(const LawOfCosines& form);
+
+/// N'.V by Eq 24 or 25, node "dot", in [-1, 1]: 1 multiplier, 5 adders (6 in form 13), 3 tables.
+Wire law_of_cosines(Netlist& netlist, Wire phi, Wire theta, Wire map_phi, Wire map_theta, const LawOfCosines& form,
+                    const CosineTables& tables, const std::string& equation);
 
 /// Inputs "L_ref.phi", "L_ref.theta", "H_ref.phi", "H_ref.theta" in inner_angle(), "map.phi", "map.theta", and "alpha", "mirror" where the
 /// settings ask for them. Output "intensity".

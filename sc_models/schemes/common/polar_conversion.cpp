@@ -68,8 +68,7 @@ Wire polar_angle(Netlist& n, const std::string& name, Wire y, Wire x, const Pola
   return n.select("angle", n.is_negative("y_negative", y), n.negate("lower", upper, f.angle), upper, f.angle);
 }
 
-PolarWires polar_angles(Netlist& n, const std::string& name, const VectorWires& v, const PolarFormats& f, double axis_limit) {
-  const Netlist::Scope scope(n, name);
+PolarWires distance_from_axis(Netlist& n, const VectorWires& v, const PolarFormats& f, double axis_limit) {
   PolarWires p;
   const Wire xx = n.mul("xx", v.x, v.x, f.square);
   const Wire yy = n.mul("yy", v.y, v.y, f.square);
@@ -77,6 +76,12 @@ PolarWires polar_angles(Netlist& n, const std::string& name, const VectorWires& 
   p.axis_distance = n.sqrt("axis_distance", p.axis_squared, f.magnitude);
   const Wire limit = n.constant("axis_limit", axis_limit, f.magnitude);
   p.on_axis = n.is_negative("on_axis", n.sub("axis_margin", p.axis_distance, limit, f.difference));
+  return p;
+}
+
+PolarWires polar_angles(Netlist& n, const std::string& name, const VectorWires& v, const PolarFormats& f, double axis_limit) {
+  const Netlist::Scope scope(n, name);
+  PolarWires p = distance_from_axis(n, v, f, axis_limit);
   const Wire azimuth = polar_angle(n, "azimuth", v.y, v.x, f);
   p.phi = n.select("phi", p.on_axis, n.constant("no_azimuth", 0, f.angle), azimuth, f.angle);
   p.theta = polar_angle(n, "polar", p.axis_distance, v.z, f, true);

@@ -39,6 +39,9 @@ struct PolarWires {
   Wire on_axis;        ///< flag: closer to the z axis than can be told; phi is then 0
 };
 
+/// What polar_angles() finds of a vector before any angle: axis_distance, axis_squared, on_axis. 2 multipliers, 2 adders, 1 square root.
+PolarWires distance_from_axis(Netlist& netlist, const VectorWires& v, const PolarFormats& formats, double axis_limit);
+
 /// Polar angles of a vector of any length: 2 multipliers, 8 adders, 1 square root, 2 dividers, 2 tables. `axis_limit`: the distance from
 /// the axis below which phi is 0 (1e-6 of a unit vector is far below any angle word).
 PolarWires polar_angles(Netlist& netlist, const std::string& name, const VectorWires& v, const PolarFormats& formats, double axis_limit);

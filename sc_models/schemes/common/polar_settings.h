@@ -11,7 +11,9 @@
 namespace bump {
 
 enum class Angles { vertex, pixel };
-enum class InPlane { none, face, pixel };
+/// What is done about the angle from e_theta to the tangent: nothing, one angle a face, one a pixel; or phi and the sign of theta of N are
+/// chosen so that the tangent points along e_phi (parallel) or e_theta (meridian), for surfaces where it does (y_pole_map.h).
+enum class InPlane { none, face, pixel, parallel, meridian };
 enum class MapFilter { nearest, linear, vector };
 
 struct PolarSettings {

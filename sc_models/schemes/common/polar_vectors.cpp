@@ -4,6 +4,7 @@
 
 #include "schemes/common/polar_conversion.h"
 #include "schemes/common/vertex_vectors.h"
+#include "schemes/common/y_pole_vectors.h"
 
 namespace bump {
 
@@ -33,10 +34,14 @@ void interpolate(Design& design, const std::string& name, Wire wire, Interpolant
   design.interpolants.push_back({name, kind});
 }
 
-/// theta stays within half a turn, so it needs no short way round.
-void interpolate_direction(Design& design, const std::string& name, const PolarWires& polar) {
+/// theta stays within half a turn, so it needs no short way round, unless it has a sign.
+void interpolate_direction(Design& design, const std::string& name, const PolarWires& polar, bool signed_theta = false) {
   interpolate(design, name + ".phi", polar.phi, InterpolantKind::angle);
-  interpolate(design, name + ".theta", polar.theta, InterpolantKind::linear);
+  interpolate(design, name + ".theta", polar.theta, signed_theta ? InterpolantKind::angle : InterpolantKind::linear);
+}
+
+bool follows_chart(const PolarSettings& p) {
+  return p.frame == InPlane::parallel || p.frame == InPlane::meridian;
 }
 
 /// -1/4 turn where B = T x N, +1/4 where B = N x T: its sign is the flag.
@@ -59,8 +64,8 @@ Netlist conversion_unit(const PolarSettings& p, NormalAs normal_as) {
   const Format component = sfixed(component_bits, component_bits - 1);
   const PolarFormats formats = pixel_polar_formats(component_bits, p.inverse_table_bits, p.angle_bits);
   const double axis_limit = 2 * formats.magnitude.step();
-  const auto convert = [&](const std::string& name, const VectorWires& v) {
-    const PolarWires polar = polar_angles(n, name + "_polar", v, formats, axis_limit);
+  const Format product = sfixed(component_bits + 3, component_bits + 1);
+  const auto deliver = [&](const std::string& name, const PolarWires& polar) {
     n.output(name + ".phi", polar.phi);
     n.output(name + ".theta", polar.theta);
     return polar;
@@ -69,12 +74,15 @@ Netlist conversion_unit(const PolarSettings& p, NormalAs normal_as) {
   PolarWires polar_normal;
   if (normal_as == NormalAs::angles) {
     normal = input_vector(n, "N", component);
-    polar_normal = convert("N", normal);
+    if (follows_chart(p))
+      deliver("N", chart_angles(n, "N_polar", normal, input_vector(n, "T", component), p.frame, formats, product, axis_limit));
+    else
+      polar_normal = deliver("N", polar_angles(n, "N_polar", normal, formats, axis_limit));
   }
-  for (const char* name : {"L", "H"}) convert(name, input_vector(n, name, component));
+  for (const std::string name : {"L", "H"})
+    deliver(name, polar_angles(n, name + "_polar", input_vector(n, name, component), formats, axis_limit));
   if (normal_as == NormalAs::matrix || p.frame != InPlane::pixel) return n;
   n.begin_addition();
-  const Format product = sfixed(component_bits + 3, component_bits + 1);
   n.output("alpha", in_plane_angle(n, "frame", normal, polar_normal, input_vector(n, "T", component), formats, product, false));
   n.end_addition();
   return n;
@@ -96,13 +104,16 @@ void record_polar_vectors(const PolarSettings& p, NormalAs normal_as, Design& de
     if (!matrix) interpolate_vector(design, "N", v.normal);
     interpolate_vector(design, "L", v.light);
     interpolate_vector(design, "H", normalise_vertex(n, "H_unit", v.half));
-    if (!matrix && p.frame == InPlane::pixel) interpolate_vector(design, "T", v.tangent);
+    if (!matrix && (p.frame == InPlane::pixel || follows_chart(p))) interpolate_vector(design, "T", v.tangent);
   }
   const bool alpha_at_vertex = !matrix && (p.frame == InPlane::face || (p.frame == InPlane::pixel && !per_pixel));
   PolarWires normal;
-  if (!matrix && (!per_pixel || alpha_at_vertex)) normal = polar_angles(n, "N_polar", v.normal, formats, vertex_axis_limit);
+  if (!matrix && !per_pixel && follows_chart(p))
+    normal = chart_angles(n, "N_polar", v.normal, v.tangent, p.frame, formats, real(), vertex_axis_limit);
+  else if (!matrix && (!per_pixel || alpha_at_vertex))
+    normal = polar_angles(n, "N_polar", v.normal, formats, vertex_axis_limit);
   if (!per_pixel) {
-    if (!matrix) interpolate_direction(design, "N", normal);
+    if (!matrix) interpolate_direction(design, "N", normal, follows_chart(p));
     interpolate_direction(design, "L", polar_angles(n, "L_polar", v.light, formats, vertex_axis_limit));
     interpolate_direction(design, "H", polar_angles(n, "H_polar", v.half, formats, vertex_axis_limit));
   }

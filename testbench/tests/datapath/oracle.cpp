@@ -260,6 +260,12 @@ std::vector<std::int64_t> Oracle::evaluate(const std::vector<double>& inputs) co
         word = oracle_round(node.op == Op::add ? a + b : a - b, common, to);
         break;
       }
+      case Op::add_sub: {
+        const int common = std::max(format(1).fraction, format(2).fraction);
+        const Wide a = shifted(operand(1), common - format(1).fraction), b = shifted(operand(2), common - format(2).fraction);
+        word = oracle_round(operand(0) == 1 ? a - b : a + b, common, to);
+        break;
+      }
       case Op::join: {  // bit by bit
         word = oracle_round(operand(0), format(0).fraction, to);
         const Wide low = oracle_round(operand(1), format(1).fraction, to);
@@ -286,6 +292,11 @@ std::vector<std::int64_t> Oracle::evaluate(const std::vector<double>& inputs) co
       case Op::shift:
         word = oracle_round(operand(0), format(0).fraction - node.amount, to);
         break;
+      case Op::shift_by: {  // to the result's fraction, then one halving a place
+        const int places = static_cast<int>(std::min<std::int64_t>(operand(1), 200));
+        word = modulo(shifted(operand(0), to.fraction - format(0).fraction - places), to);
+        break;
+      }
       case Op::negate:
         word = oracle_round(-static_cast<Wide>(operand(0)), format(0).fraction, to);
         break;
@@ -314,6 +325,9 @@ std::vector<std::int64_t> Oracle::evaluate(const std::vector<double>& inputs) co
         word = operand(0) > quarter || operand(0) < -quarter ? 1 : 0;
         break;
       }
+      case Op::exclusive_or:
+        word = operand(0) + operand(1) == 1 ? 1 : 0;
+        break;
     }
     words.push_back(word);
   }

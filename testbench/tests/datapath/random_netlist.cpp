@@ -109,7 +109,7 @@ Wire pick(Random& random, const std::vector<Wire>& wires) {
 Wire record(Random& random, Netlist& n, const std::vector<Wire>& wires, const std::string& name) {
   const Wire a = pick(random, wires), b = pick(random, wires), c = pick(random, wires);
   const Format to = random_format(random);
-  switch (random.integer(0, 17)) {
+  switch (random.integer(0, 20)) {
     case 0:
       return n.add(name, a, b, to);
     case 1:
@@ -148,6 +148,21 @@ Wire record(Random& random, Netlist& n, const std::vector<Wire>& wires, const st
     }
     case 16:
       return n.join(name, a, b, to);
+    case 17: {
+      const Wire flag_wire = n.format(a) == flag() ? a : n.is_negative(name + "_sign", a);
+      return n.add_sub(name, flag_wire, b, c, to);
+    }
+    case 18: {
+      const Wire places = n.shift(name + "_places", b, random.integer(-4, 4), ufixed(random.integer(1, random.coin() ? 6 : 40), 0));
+      return n.shift_by(name, a, places, to);
+    }
+    case 19: {
+      const auto flag_of = [&](const Wire& wire, const std::string& which) {
+        return n.format(wire) == flag() ? wire : n.is_negative(name + which, wire);
+      };
+      const Wire first = flag_of(a, "_first");
+      return n.exclusive_or(name, first, flag_of(b, "_second"));
+    }
     default: {
       const TablePtr table = random_table(random, name + "_ROM");
       std::vector<Wire> index{n.shift(name + "_index", a, random.integer(-2, 2), table->index)};

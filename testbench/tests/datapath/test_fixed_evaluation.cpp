@@ -15,7 +15,7 @@ using namespace bump_test;
 namespace {
 
 /// Runs a block of random lanes through the evaluator and returns how many words differ from the oracle; the first difference is described.
-int mismatches(const Netlist& netlist, Random& random, int lanes, std::string& first, std::array<int, 18>& seen) {
+int mismatches(const Netlist& netlist, Random& random, int lanes, std::string& first, std::array<int, 21>& seen) {
   std::vector<std::vector<double>> inputs, outputs(netlist.outputs().size(), std::vector<double>(static_cast<std::size_t>(lanes)));
   std::vector<const double*> in;
   std::vector<double*> out;
@@ -54,7 +54,7 @@ int mismatches(const Netlist& netlist, Random& random, int lanes, std::string& f
 
 TEST_CASE("fixed-point evaluation equals an independent bit-level definition for random netlists") {
   Random random(2007);
-  std::array<int, 18> seen{};
+  std::array<int, 21> seen{};
   for (int i = 0; i < 3000; ++i) {
     const Netlist netlist = random_netlist(random, 24);
     std::string first;
@@ -72,7 +72,7 @@ TEST_CASE("fixed-point evaluation equals an independent bit-level definition for
 TEST_CASE("words wider and narrower than a lane go through every operator together") {
   // Sums, products, shifts and selects of words at the limits of 32-bit lanes, alone: random netlists seldom hold two such words in a row.
   Random random(32);
-  std::array<int, 18> seen{};
+  std::array<int, 21> seen{};
   for (int i = 0; i < 1500; ++i) {
     const auto edge = [&] {
       const int width = random.integer(0, 2) == 0 ? random.integer(15, 17) : random.integer(30, 34);
@@ -82,7 +82,7 @@ TEST_CASE("words wider and narrower than a lane go through every operator togeth
     Netlist n("limits");
     const Wire a = n.input("a", edge()), b = n.input("b", edge()), f = n.input("f", flag());
     const Format small = random.coin() ? sfixed(random.integer(2, 17), random.integer(0, 20)) : ufixed(random.integer(1, 17), 3);
-    const Wire c = n.input("c", small);
+    const Wire c = n.input("c", small), k = n.input("k", ufixed(random.coin() ? 6 : random.integer(30, 34), 0));
     int recorded = 0;
     const auto record = [&](const std::function<Wire(const std::string&)>& make) {
       const std::string name = "n" + std::to_string(recorded++);
@@ -95,6 +95,10 @@ TEST_CASE("words wider and narrower than a lane go through every operator togeth
     record([&](const std::string& name) { return n.add(name, a, b, edge()); });
     record([&](const std::string& name) { return n.sub(name, a, b, edge()); });
     record([&](const std::string& name) { return n.sub(name, a, c, edge()); });
+    record([&](const std::string& name) { return n.add_sub(name, f, a, b, edge()); });
+    record([&](const std::string& name) { return n.add_sub(name, f, c, a, edge()); });
+    record([&](const std::string& name) { return n.shift_by(name, a, k, edge()); });
+    record([&](const std::string& name) { return n.shift_by(name, c, k, edge()); });
     record([&](const std::string& name) { return n.mul(name, a, c, edge()); });
     record([&](const std::string& name) { return n.mul(name, c, c, edge()); });
     record([&](const std::string& name) { return n.div(name, a, c, edge()); });
@@ -113,7 +117,8 @@ TEST_CASE("words wider and narrower than a lane go through every operator togeth
     INFO(first);
     REQUIRE(wrong == 0);
   }
-  for (const Op op : {Op::add, Op::sub, Op::mul, Op::div, Op::sqrt, Op::shift, Op::negate, Op::absolute, Op::select, Op::clamp}) {
+  for (const Op op : {Op::add, Op::sub, Op::add_sub, Op::shift_by, Op::mul, Op::div, Op::sqrt, Op::shift, Op::negate, Op::absolute,
+                      Op::select, Op::clamp}) {
     INFO(name_of(op));
     CHECK(seen[static_cast<std::size_t>(op)] > 1000);
   }

@@ -55,15 +55,18 @@ TEST_CASE("an inventory counts what was recorded, published design and addition 
   n.shift("half", a, -1, s);
   n.negate("minus", sum, s);
   n.absolute("size", sum, s);
+  n.shift_by("moved", sum, n.input("places", ufixed(3, 0)), s);
   n.half_turn("opposite", t);
   n.is_beyond_quarter("far", t);
-  n.select("either", n.is_negative("below", sum), a, b, s);
+  const Wire below = n.is_negative("below", sum);
+  n.select("either", below, a, b, s);
+  n.add_sub("sum_or_difference", n.exclusive_or("signs", below, below), a, b, s);
   n.begin_addition();
   n.clamp("clamped", n.add("offset", a, b, s), 0, 1, s);
   n.end_addition();
 
   const Inventory published = count(n, Portion::published), addition = count(n, Portion::addition), all = count(n);
-  CHECK(published.adders == 2);
+  CHECK(published.adders == 3);
   CHECK(published.multipliers == 1);
   CHECK(published.dividers == 1);
   CHECK(published.square_roots == 1);
@@ -71,8 +74,9 @@ TEST_CASE("an inventory counts what was recorded, published design and addition 
   CHECK(published.maps == 1);
   CHECK(published.index_encoders == 1);
   CHECK(published.second_ports == 1);
+  CHECK(published.shifters == 1);
   CHECK(published.shifts == 2);
-  CHECK(published.sign_logic == 5);
+  CHECK(published.sign_logic == 6);
   CHECK(published.selects == 1);
   CHECK(published.clamps == 0);
   CHECK(published.table_bits == (3 * 32 + 256) * 10);
@@ -80,7 +84,7 @@ TEST_CASE("an inventory counts what was recorded, published design and addition 
   CHECK(addition.adders == 1);
   CHECK(addition.clamps == 1);
   CHECK(addition.tables == 0);
-  CHECK(all.adders == 3);
+  CHECK(all.adders == 4);
   CHECK(all.clamps == 1);
 }
 
@@ -98,7 +102,7 @@ TEST_CASE("published design and addition add up to the whole for random netlists
     for (const Node& node : n.nodes())
       if (node.op != Op::input && node.op != Op::constant && node.op != Op::column) ++operators;
     CHECK(operators == all.multipliers + all.adders + all.dividers + all.square_roots + all.tables + all.maps + all.second_ports +
-                           all.shifts + all.sign_logic + all.clamps + all.selects);
+                           all.shifters + all.shifts + all.sign_logic + all.clamps + all.selects);
   }
 }
 
@@ -140,9 +144,15 @@ TEST_CASE("operators that are recorded twice are found, through others too") {
   n.clamp("unit", a, 0, 1, s);
   n.clamp("double", a, 0, 2, s);
   n.mul("distinct", narrow, first, s);
+  const Wire sign = n.is_negative("sign", first), other = n.is_negative("other", square);
+  const Wire signs = n.exclusive_or("signs", sign, other), same_signs = n.exclusive_or("same_signs", other, sign);
+  n.add_sub("a_and_b", sign, a, b, s);
+  n.add_sub("b_and_a", sign, b, a, s);
+  n.add_sub("by_the_other", other, a, b, s);
   n.constant("one", 1, s);
   n.constant("also_one", 1, s);
-  CHECK(equal_nodes(n) == std::vector<std::pair<int, int>>{{first.node, second.node}, {square.node, other_square.node}});
+  CHECK(equal_nodes(n) ==
+        std::vector<std::pair<int, int>>{{first.node, second.node}, {square.node, other_square.node}, {signs.node, same_signs.node}});
 }
 
 TEST_CASE("reads of one table by one index are duplicates, reads of different tables are not") {

@@ -109,6 +109,12 @@ TEST_CASE("operators that break a rule are refused, name themselves and leave th
   CHECK_THROWS_WITH(n.is_beyond_quarter("x", u), Contains("full-turn"));
   CHECK_THROWS_WITH(n.is_negative("x", u), Contains("never negative"));
   CHECK_THROWS_WITH(n.select("x", s, s, u, to), Contains("flag"));
+  CHECK_THROWS_WITH(n.add_sub("x", s, s, u, to), Contains("first operand") && Contains("flag"));
+  CHECK_THROWS_WITH(n.add_sub("x", f, wide, fine, to), Contains("aligned") && Contains("add_sub"));
+  CHECK_THROWS_WITH(n.shift_by("x", s, s, to), Contains("places") && Contains("s16.8"));
+  CHECK_THROWS_WITH(n.shift_by("x", s, u, to), Contains("whole number"));
+  CHECK_THROWS_WITH(n.shift_by("x", wide, f, sfixed(12, 10)), Contains("61 bits"));
+  CHECK_THROWS_WITH(n.exclusive_or("x", f, u), Contains("second operand") && Contains("flag"));
   CHECK_THROWS_WITH(n.clamp("x", s, 1, 0, to), Contains("wrong way round"));
   CHECK_THROWS_WITH(n.clamp("x", wide, 0, 1, sfixed(12, 10)), Contains("shifted"));
   CHECK_THROWS_WITH(n.shift("x", s, 200, to), Contains("shift"));
@@ -134,12 +140,14 @@ TEST_CASE("real edges are free of the rules for words") {
   const Wire x = n.input("x", real()), y = n.input("y", real());
   CHECK_NOTHROW(n.div("ratio", x, y, real()));
   CHECK_NOTHROW(n.sqrt("root", x, real()));
-  CHECK_NOTHROW(n.is_negative("sign", x));
+  const Wire sign = n.is_negative("sign", x);
+  CHECK_NOTHROW(n.add_sub("either", sign, x, y, real()));
+  CHECK_NOTHROW(n.shift_by("scaled", x, y, real()));
   CHECK_NOTHROW(n.table("atan", small_table("AB", turns(10)), x));
 }
 
 TEST_CASE("every operator has a name of its own") {
-  for (int i = 0; i < 17; ++i)
+  for (int i = 0; i <= static_cast<int>(Op::exclusive_or); ++i)
     for (int j = 0; j < i; ++j) CHECK(std::string(name_of(static_cast<Op>(i))) != name_of(static_cast<Op>(j)));
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -36,6 +37,9 @@ std::vector<double> directly(const Netlist& netlist, const std::vector<double>& 
       case Op::sub:
         value = x(0) - x(1);
         break;
+      case Op::add_sub:
+        value = x(0) != 0 ? x(1) - x(2) : x(1) + x(2);
+        break;
       case Op::mul:
         value = x(0) * x(1);
         break;
@@ -60,6 +64,11 @@ std::vector<double> directly(const Netlist& netlist, const std::vector<double>& 
       case Op::shift:
         value = x(0) * std::pow(2.0, node.amount);
         break;
+      case Op::shift_by: {
+        const double places = std::floor(x(1));
+        value = std::isnan(places) ? places : std::ldexp(x(0), -static_cast<int>(std::max(-2044.0, std::min(2044.0, places))));
+        break;
+      }
       case Op::negate:
         value = -x(0);
         break;
@@ -80,6 +89,9 @@ std::vector<double> directly(const Netlist& netlist, const std::vector<double>& 
         break;
       case Op::is_beyond_quarter:
         value = x(0) > 0.25 || x(0) < -0.25;
+        break;
+      case Op::exclusive_or:
+        value = (x(0) != 0) != (x(1) != 0);
         break;
     }
     values.push_back(short_way(value, node.format));
@@ -180,4 +192,36 @@ TEST_CASE("words are asked of fixed-point evaluators only") {
   Netlist n("unit");
   n.output("y", n.negate("y", n.input("x", sfixed(8, 4)), sfixed(8, 4)));
   CHECK_THROWS(make_evaluator(n, Arithmetic::real)->raw(0, 0));
+}
+
+TEST_CASE("in double precision a table of the fraction and a barrel shifter make an exact antilogarithm") {
+  Netlist n("antilogarithm");
+  Table table;
+  table.name = "T";
+  table.formula = "2^-x";
+  table.index = ufixed(8, 8);
+  Column column;
+  column.name = "power";
+  column.function = [](double x) { return std::exp2(std::floor(x) - x); };
+  column.format = ufixed(10, 9);
+  table.columns.push_back(column);
+  const Wire log = n.input("log", ufixed(12, 8));
+  const Wire power = n.table("T", std::make_shared<const Table>(table), n.shift("fraction", log, 0, table.index)).front();
+  n.output("value", n.shift_by("value", power, n.shift("whole", log, 0, ufixed(4, 0)), ufixed(16, 15)));
+  const auto real = make_evaluator(n, Arithmetic::real), fixed = make_evaluator(n, Arithmetic::fixed);
+  Random random(8);
+  for (int i = 0; i < 2000; ++i) {
+    const double x = i == 0 ? 0 : i == 1 ? 15 : random.real(0, 15.9);
+    const double* in[] = {&x};
+    double exact = 0, word = 0;
+    double* out[] = {&exact};
+    real->evaluate(in, 1, out);
+    out[0] = &word;
+    fixed->evaluate(in, 1, out);
+    INFO(x);
+    REQUIRE(exact == Approx(std::exp2(-x)).epsilon(1e-14));
+    // half a step of the logarithm and of the table's word, relative; then the shifter drops less than a step
+    REQUIRE(word <= std::exp2(-x) * (1 + 0x1p-8) + 0x1p-15);
+    REQUIRE(word >= std::exp2(-x) * (1 - 0x1p-8) - 0x1p-15);
+  }
 }

@@ -18,6 +18,7 @@ OperatorLatencies random_latencies(Random& random) {
   l.multiplier = random.integer(0, 4);
   l.table = random.integer(0, 2);
   l.clamp = random.integer(0, 1);
+  l.shifter = random.integer(0, 3);
   l.divider_bits_per_cycle = random.integer(1, 4);
   l.square_root_bits_per_cycle = random.integer(1, 4);
   return l;
@@ -114,6 +115,7 @@ TEST_CASE("operators take the cycles of their kind, wiring and sign logic none")
   l.multiplier = 3;
   l.table = 4;
   l.clamp = 5;
+  l.shifter = 6;
   l.divider_bits_per_cycle = 4;
   l.square_root_bits_per_cycle = 3;
   const auto cycles = [&](Wire wire) { return latency_of(n.nodes()[static_cast<std::size_t>(wire.node)], l); };
@@ -127,11 +129,14 @@ TEST_CASE("operators take the cycles of their kind, wiring and sign logic none")
   CHECK(cycles(n.div("udiv", u, u, ufixed(12, 8))) == 3);  // 12 magnitude bits
   CHECK(cycles(n.sqrt("root", u, ufixed(10, 8))) == 4);    // 10 root bits, three a cycle
   CHECK(cycles(n.shift("shift", s, -1, sfixed(12, 9))) == 0);
+  CHECK(cycles(n.shift_by("shift_by", s, n.input("k", ufixed(3, 0)), sfixed(12, 8))) == 6);
   CHECK(cycles(n.negate("negate", s, sfixed(12, 8))) == 0);
   CHECK(cycles(n.absolute("absolute", s, ufixed(12, 8))) == 0);
   CHECK(cycles(n.half_turn("half_turn", t)) == 0);
   const Wire sign = n.is_negative("sign", s);
   CHECK(cycles(sign) == 0);
+  CHECK(cycles(n.add_sub("add_sub", sign, s, u, sfixed(14, 8))) == 2);
+  CHECK(cycles(n.exclusive_or("signs", sign, sign)) == 0);
   CHECK(cycles(n.is_beyond_quarter("far", t)) == 0);
   CHECK(cycles(n.select("select", sign, s, u, sfixed(14, 8))) == 0);
 }

@@ -34,17 +34,20 @@ TEST_CASE("sums, differences and products equal sc_fixed with truncation and wra
     n.output("sum", n.add("sum", a, b, to));
     n.output("difference", n.sub("difference", a, b, to));
     n.output("product", n.mul("product", a, b, to));
+    const Wire sign = n.is_negative("sign", n.shift("signed", b, 0, sfixed(fb.width + 1, fb.fraction)));
+    n.output("either", n.add_sub("either", sign, a, b, to));
     const auto evaluator = make_evaluator(n, Arithmetic::fixed);
     for (int j = 0; j < 4; ++j) {
       const double x = to_double(quantise(random_value(random, fa), fa), fa), y = to_double(quantise(random_value(random, fb), fb), fb);
       const double* in[] = {&x, &y};
-      double sum = 0, difference = 0, product = 0;
-      double* out[] = {&sum, &difference, &product};
+      double sum = 0, difference = 0, product = 0, either = 0;
+      double* out[] = {&sum, &difference, &product, &either};
       evaluator->evaluate(in, 1, out);
       const sc_dt::sc_fxval u(x), v(y);
       INFO(to_string(fa) << " " << x << ", " << to_string(fb) << " " << y << " to " << to_string(to));
       REQUIRE(sum == stored(u + v, to, sc_dt::SC_TRN, sc_dt::SC_WRAP));
       REQUIRE(difference == stored(u - v, to, sc_dt::SC_TRN, sc_dt::SC_WRAP));
+      REQUIRE(either == stored(y < 0 ? u - v : u + v, to, sc_dt::SC_TRN, sc_dt::SC_WRAP));
       REQUIRE(product == stored(u * v, to, sc_dt::SC_TRN, sc_dt::SC_WRAP));
     }
   }
