@@ -99,7 +99,7 @@ Json light_angle(const Json& result) {
 }  // namespace
 
 const std::vector<std::string>& operator_names() {
-  static const std::vector<std::string> names = {"multipliers", "adders", "dividers", "square_roots", "tables", "maps"};
+  static const std::vector<std::string> names = {"multipliers", "adders", "dividers", "square_roots", "tables", "maps", "shifters"};
   return names;
 }
 

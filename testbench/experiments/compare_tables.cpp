@@ -55,7 +55,7 @@ struct Figure {
 };
 
 const std::vector<std::string>& short_operator_names() {
-  static const std::vector<std::string> names = {"mult", "add", "div", "sqrt", "table", "map"};
+  static const std::vector<std::string> names = {"mult", "add", "div", "sqrt", "table", "map", "shift"};
   return names;
 }
 
@@ -84,17 +84,34 @@ ComparisonTable speed_table(const std::vector<Entry>& entries) {
   return table;
 }
 
+/// Whether any of the schemes has the operator in any of the units.
+bool any_has(const std::vector<Entry>& entries, const std::vector<std::string>& units, const std::string& name) {
+  return std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
+    return std::any_of(units.begin(), units.end(), [&](const std::string& unit) {
+      const Json &built = entry.metrics[unit + "_" + name], &more = entry.metrics[unit + "_additional_" + name];
+      return (built.is_number() && built != 0) || (more.is_number() && more != 0);
+    });
+  });
+}
+
+/// The operators that a table lists: those of the paper's, and barrel shifters if a scheme has any.
+std::size_t operators_listed(const std::vector<Entry>& entries, const std::vector<std::string>& units) {
+  return operator_names().size() - (any_has(entries, units, "shifters") ? 0 : 1);
+}
+
 ComparisonTable operators_table(const std::vector<Entry>& entries) {
   ComparisonTable table;
   table.title = "Operators built";
   table.note = "+n: beside those that the paper's table lists";
   table.columns = {{"", "scheme", true}};
-  for (const char* unit : {"environment", "illumination"})
-    for (const std::string& name : short_operator_names()) table.columns.push_back({unit, name, false});
+  const std::vector<std::string> units = {"environment", "illumination"};
+  const std::size_t listed = operators_listed(entries, units);
+  for (const std::string& unit : units)
+    for (std::size_t i = 0; i < listed; ++i) table.columns.push_back({unit, short_operator_names()[i], false});
   for (const Entry& entry : entries) {
     table.rows.push_back({entry.id});
-    for (const char* unit : {"environment", "illumination"})
-      for (const std::string& name : operator_names()) table.rows.back().push_back(operators_cell(entry.metrics, unit, name));
+    for (const std::string& unit : units)
+      for (std::size_t i = 0; i < listed; ++i) table.rows.back().push_back(operators_cell(entry.metrics, unit, operator_names()[i]));
   }
   return table;
 }
@@ -104,12 +121,14 @@ ComparisonTable further_units_table(const std::vector<Entry>& entries) {
   ComparisonTable table;
   table.title = "Operators of further units";
   table.columns = {{"", "scheme", true}, {"", "unit", true}};
-  for (const std::string& name : short_operator_names()) table.columns.push_back({"", name, false});
+  const std::vector<std::string> units = {"conversion", "light_map_address", "frame"};
+  const std::size_t listed = operators_listed(entries, units);
+  for (std::size_t i = 0; i < listed; ++i) table.columns.push_back({"", short_operator_names()[i], false});
   for (const Entry& entry : entries) {
-    for (const std::string& unit : compared_units()) {
-      if (unit == "environment" || unit == "illumination" || entry.metrics[unit + "_multipliers"].is_null()) continue;
+    for (const std::string& unit : units) {
+      if (entry.metrics[unit + "_multipliers"].is_null()) continue;
       table.rows.push_back({entry.id, unit});
-      for (const std::string& name : operator_names()) table.rows.back().push_back(operators_cell(entry.metrics, unit, name));
+      for (std::size_t i = 0; i < listed; ++i) table.rows.back().push_back(operators_cell(entry.metrics, unit, operator_names()[i]));
     }
   }
   return table;
@@ -130,6 +149,8 @@ ComparisonTable work_table(const std::vector<Entry>& entries) {
                                  {"tables, KB", "distinct", "tables_distinct_kilobytes", 2},
                                  {"interpolated", "components", "interpolated_components", 0},
                                  {"operations", "per vertex", "vertex_operations_per_vertex", 1}};
+  if (operators_listed(entries, compared_units()) == operator_names().size())
+    figures.insert(figures.begin() + 4, {used, "shift", "shifters_used_per_fragment", 1});
   if (any(entries, "operations_per_frame")) figures.push_back({"operations", "per frame", "operations_per_frame", 0});
   ComparisonTable table = table_of("Work and tables", entries, figures);
   table.note = "of the units above, additions included, without interpolation, transform and colour; the last two with table reads";

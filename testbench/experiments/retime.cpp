@@ -58,11 +58,11 @@ struct Block {
 
 class Sweep {
  public:
-  Sweep(Retimer& retimer, const Configuration& base, const SweepGrid& grid, const SweepOptions& options)
-      : retimer_(retimer), configuration_(base), grid_(grid), options_(options), rows_(grid.points()) {
+  Sweep(Retimer& retimer, const Configuration& base, const SweepPoints& points, const SweepOptions& options)
+      : retimer_(retimer), configuration_(base), points_(points), options_(options), rows_(points.count) {
     order_.resize(rows_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    if (sweeps_caches(retimer, base, grid))
+    if (points.with_caches)
       sort_by_caches();
     else
       blocks_.push_back({0, rows_.size(), 0});
@@ -94,7 +94,7 @@ class Sweep {
     std::map<FetchSettings, std::vector<std::size_t>> points;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (cancelled()) interrupted();
-      grid_.apply(i, configuration_);
+      points_.apply(i, configuration_);
       points[retimer_.fetch_settings(configuration_)].push_back(i);
     }
     std::size_t at = 0;
@@ -145,7 +145,7 @@ class Sweep {
       if (cancelled()) interrupted();
       while (blocks_[block].end <= i) ++block;
       SweepRow& row = rows_[order_[i]];
-      grid_.apply(order_[i], configuration_);
+      points_.apply(order_[i], configuration_);
       row.clock_megahertz = configuration_.number("clock.megahertz");
       points.push_back({retimer_.timing_of(configuration_), &row, &sources[block - first], {}});
       points.back().timing.schedules = {};
@@ -213,7 +213,7 @@ class Sweep {
 
   Retimer& retimer_;
   Configuration configuration_;
-  const SweepGrid& grid_;
+  const SweepPoints& points_;
   const SweepOptions& options_;
   std::vector<SweepRow> rows_;
   std::vector<std::size_t> order_;       ///< points in the order in which they are dated
@@ -231,7 +231,15 @@ bool sweeps_caches(const Retimer& retimer, const Configuration& base, const Swee
 }
 
 std::vector<SweepRow> sweep(Retimer& retimer, const Configuration& base, const SweepGrid& grid, const SweepOptions& options) {
-  return Sweep(retimer, base, grid, options).run();
+  SweepPoints points;
+  points.count = grid.points();
+  points.apply = [&grid](std::size_t point, Configuration& configuration) { grid.apply(point, configuration); };
+  points.with_caches = sweeps_caches(retimer, base, grid);
+  return sweep(retimer, base, points, options);
+}
+
+std::vector<SweepRow> sweep(Retimer& retimer, const Configuration& base, const SweepPoints& points, const SweepOptions& options) {
+  return Sweep(retimer, base, points, options).run();
 }
 
 void check_record_file(const std::string& path, const std::string& out, bool force) {

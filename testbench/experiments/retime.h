@@ -36,6 +36,16 @@ bool sweeps_caches(const Retimer& retimer, const Configuration& base, const Swee
 /// Rows in the order of the points. `base` holds what the grid does not set; the result of check() is the caller's to ask for.
 std::vector<SweepRow> sweep(Retimer& retimer, const Configuration& base, const SweepGrid& grid, const SweepOptions& options);
 
+/// Points that are no full product.
+struct SweepPoints {
+  std::size_t count = 0;
+  /// Sets everything that differs between points, in a configuration that may hold those of another point.
+  std::function<void(std::size_t point, Configuration& configuration)> apply;
+  bool with_caches = false;  ///< caches may find other than the recorded run's did; needs a trace with addresses
+};
+/// As above. Throws what Retimer::timing_of() and fetch() throw, without a row of it.
+std::vector<SweepRow> sweep(Retimer& retimer, const Configuration& base, const SweepPoints& points, const SweepOptions& options);
+
 /// --record FILE of a run: complete or not at all, as output_file.h says. Throws Error(input) if FILE lies in the result folder `out`.
 void check_record_file(const std::string& path, const std::string& out, bool force);
 

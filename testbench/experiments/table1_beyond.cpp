@@ -21,7 +21,7 @@ Table1Value derived(const std::string& quantity, const std::string& unit, double
 }
 
 double operations(const Inventory& i) {
-  return i.multipliers + i.adders + i.dividers + i.square_roots + i.tables + i.maps;
+  return i.multipliers + i.adders + i.dividers + i.square_roots + i.tables + i.maps + i.shifters;
 }
 
 /// The rows of one architecture.
@@ -55,7 +55,8 @@ class Beyond {
     fragment_ += all;
     Table1Row& unit = row(name, why);
     unit.values = operator_values(&all);
-    for (const auto& [quantity, number] : {std::pair<const char*, int>{"clamps", all.clamps},
+    for (const auto& [quantity, number] : {std::pair<const char*, int>{"shifters", all.shifters},
+                                           {"clamps", all.clamps},
                                            {"selects", all.selects},
                                            {"sign_logic", all.sign_logic},
                                            {"shifts", all.shifts},
@@ -85,6 +86,7 @@ class Beyond {
     Table1Row& fragment = row(
         "fragment", "executed for each fragment and one light: all of the units above, every operator once and tables through each port");
     fragment.values = operator_values(&fragment_);
+    fragment.values.push_back(derived("shifters", "operators", fragment_.shifters));
     fragment.values.push_back(derived("operations", "operations", operations(fragment_)));
   }
 

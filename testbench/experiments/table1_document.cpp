@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "testbench/experiments/table1_formats.h"
 #include "testbench/published/lee2007_table1.h"
@@ -262,14 +263,28 @@ class Table1Document {
                       [](const Table1Value& x, const Table1Value& y) { return x.quantity == y.quantity && x.derived == y.derived; });
   }
 
+  /// Barrel shifters have a column where any row of the kind has some.
+  bool has_shifters(const std::function<bool(const Table1Row&)>& of_kind) const {
+    const auto beyond = rows(Table1Section::beyond);
+    return std::any_of(beyond.begin(), beyond.end(), [&](const Table1Row* r) {
+      const Table1Value* shifters = r->find("shifters");
+      return of_kind(*r) && shifters != nullptr && shifters->derived.value_or(0) > 0;
+    });
+  }
+
   void pixel_units() {
     heading("Beyond the table: wiring, tables and time of the pixel units");
     paragraph(
         "Additions included. ports: second ports of tables. Latency and interval in cycles at the configured latencies of operators.");
-    TextTable grid_of{
-        {"scheme", "unit", "clamps", "selects", "signs", "shifts", "encoders", "ports", "table bits", "distinct", "latency", "interval"},
-        {},
-        2};
+    std::vector<std::string> titles = {"scheme",   "unit",  "clamps",     "selects",  "signs",   "shifts",
+                                       "encoders", "ports", "table bits", "distinct", "latency", "interval"};
+    std::vector<const char*> quantities = {"clamps",       "selects",    "sign_logic",          "shifts",  "index_encoders",
+                                           "second_ports", "table_bits", "distinct_table_bits", "latency", "initiation_interval"};
+    if (has_shifters([](const Table1Row& r) { return r.find("clamps") != nullptr; })) {
+      titles.insert(titles.begin() + 2, "shifters");
+      quantities.insert(quantities.begin(), "shifters");
+    }
+    TextTable grid_of{titles, {}, 2};
     std::vector<const Table1Row*> colours;
     for (const Table1Row* r : rows(Table1Section::beyond))
       if (r->step == "colour") colours.push_back(r);
@@ -279,21 +294,24 @@ class Table1Document {
       if (r->find("clamps") == nullptr || r->step == "interpolators") continue;
       if (one_colour_unit && r->step == "colour" && r != colours.front()) continue;
       std::vector<std::string> cells = {one_colour_unit && r->step == "colour" ? "every scheme" : r->scheme, marked(r->step, *r)};
-      for (const char* quantity : {"clamps", "selects", "sign_logic", "shifts", "index_encoders", "second_ports", "table_bits",
-                                   "distinct_table_bits", "latency", "initiation_interval"})
-        cells.push_back(alone(r, quantity));
+      for (const char* quantity : quantities) cells.push_back(alone(r, quantity));
       grid_of.rows.push_back(cells);
     }
     grid(grid_of);
   }
 
   void counted(const std::string& first, const std::vector<std::string>& steps) {
-    TextTable grid_of{{"scheme", first, "mult", "add", "div", "sqrt", "tables", "maps", "operations"}, {}, 2};
+    std::vector<std::string> titles = {"scheme", first, "mult", "add", "div", "sqrt", "tables", "maps", "operations"};
+    std::vector<const char*> quantities = {"multipliers", "adders", "dividers", "square_roots", "tables", "maps", "operations"};
+    if (has_shifters([&](const Table1Row& r) { return std::find(steps.begin(), steps.end(), r.step) != steps.end(); })) {
+      titles.insert(titles.end() - 1, "shifters");
+      quantities.insert(quantities.end() - 1, "shifters");
+    }
+    TextTable grid_of{titles, {}, 2};
     for (const Table1Row* r : rows(Table1Section::beyond)) {
       if (std::find(steps.begin(), steps.end(), r->step) == steps.end()) continue;
       std::vector<std::string> cells = {r->scheme, r->step};
-      for (const char* quantity : {"multipliers", "adders", "dividers", "square_roots", "tables", "maps", "operations"})
-        cells.push_back(alone(r, quantity));
+      for (const char* quantity : quantities) cells.push_back(alone(r, quantity));
       grid_of.rows.push_back(cells);
     }
     grid(grid_of);

@@ -102,11 +102,14 @@ std::int64_t light_table_bits(const Netlist& netlist) {
 }  // namespace
 
 BuiltScheme build_scheme(const Scheme& scheme, const Configuration& configuration) {
-  const Scene scene = one_triangle();
-  const Material material = scene.objects.front().material;
+  return build_scheme(scheme, configuration, one_triangle());
+}
+
+BuiltScheme build_scheme(const Scheme& scheme, const Configuration& configuration, const Scene& scene) {
+  const Material material = scene.objects.empty() ? Material{} : scene.objects.front().material;
   ContextOptions options;
   options.shading = VertexProcessorConfig(configuration).space;
-  const auto context = make_context(scene, {scheme.design(configuration, material)}, {0}, options);
+  const auto context = make_context(scene, {scheme.design(configuration, material)}, std::vector<int>(scene.objects.size(), 0), options);
   BuiltScheme built;
   built.design = context->designs.front();
   built.colour = colour_netlist(scene, material, ColourUnitConfig(configuration),

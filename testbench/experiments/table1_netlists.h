@@ -24,6 +24,8 @@ struct BuiltScheme {
 
 /// For one directional light of intensity 1 and the default material. Throws Error(input) if settings contradict one another.
 BuiltScheme build_scheme(const Scheme& scheme, const Configuration& configuration);
+/// For the lights of a scene and the material of its first object; materials change constants and table contents only.
+BuiltScheme build_scheme(const Scheme& scheme, const Configuration& configuration, const Scene& scene);
 
 /// The configuration with "key=value" settings on top, blanks between them. Throws Error(input) for a key that nobody declared.
 Configuration with_settings(const Configuration& configuration, std::string_view settings);

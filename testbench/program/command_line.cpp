@@ -148,6 +148,34 @@ int command_line(int argc, char* argv[]) {
   add_json(*command, table2.json);
   command->callback([&] { chosen = [&] { return table2_command(table2); }; });
 
+  PriceArguments price;
+  command = program.add_subcommand("price", "area and energy of schemes by tables of prices, and at which cost of tables two are equal");
+  command->add_option("schemes", price.schemes, "ids with commas between, or all (default)")->type_name("SCHEME|all");
+  command
+      ->add_option("--prices", price.prices,
+                   "a shipped table or a file (TOML); may be repeated: areas and energies from the first that has any (default: "
+                   "osu018_model, horowitz45)")
+      ->type_name("NAME|FILE")
+      ->allow_extra_args(false)
+      ->check(named());
+  command->add_option("--scene", price.scene, "count what this scene executes and moves, memory traffic included")
+      ->type_name("SCENE")
+      ->check(named());
+  command->add_option("--break-even", price.break_even, "cost of a table bit and of a table read at which two schemes are equal")
+      ->type_name("A,B")
+      ->check(named());
+  command->add_option("--real-bits", price.real_bits, "price interpolators and vertex work as fixed point of so many bits (default: floating point)")
+      ->check(CLI::Range(1, 62))
+      ->type_name("BITS");
+  add_format(*command, price.format);
+  command->add_flag("--items", price.items, "list every component of every unit");
+  command->add_option("--out", price.out, "file to write (default: stdout)")->type_name("FILE")->check(named());
+  add_configuration(*command, price.configuration_files, price.settings);
+  add_jobs(*command, price.jobs);
+  command->add_flag("--force", price.force, "replace the file of --out");
+  add_json(*command, price.json);
+  command->callback([&] { chosen = [&] { return price_command(price); }; });
+
   RetimeArguments retime;
   command =
       program.add_subcommand("retime",
@@ -162,6 +190,74 @@ int command_line(int argc, char* argv[]) {
   add_jobs(*command, retime.jobs);
   add_json(*command, retime.json);
   command->callback([&] { chosen = [&] { return retime_command(retime); }; });
+
+  SweepArguments sweep;
+  command = program.add_subcommand("sweep",
+                                   "run all points of a specification and write them as one table; a sweep that was ended goes on where it "
+                                   "stopped, and only points that changed run again");
+  command->add_option("spec", sweep.spec, "scenes, schemes and parameters to vary (TOML)")->required()->type_name("SPEC.toml");
+  command->add_option("--out", sweep.out, "folder for points.csv, points.jsonl, sweep.json and the journal of finished points")
+      ->required()
+      ->type_name("DIR")
+      ->check(named());
+  add_jobs(*command, sweep.jobs);
+  command->add_option("--shard", sweep.shard, "run a part only, e.g. 2/3; bumpsim merge puts the parts together")->type_name("I/N")->check(named());
+  command->add_option("--check", sweep.check, "points dated from traces that are also run in full, to compare: a number, 5%, or all")
+      ->capture_default_str()
+      ->type_name("N");
+  command->add_flag("--force", sweep.force, "forget the points that --out has, and run all of them");
+  add_json(*command, sweep.json);
+  command->callback([&] { chosen = [&] { return sweep_command(sweep); }; });
+
+  MergeArguments merge;
+  command = program.add_subcommand("merge", "put the shards of a sweep together, as the whole sweep would have written them");
+  command->add_option("folders", merge.folders, "folders of finished shards")->required()->type_name("DIR...");
+  command->add_option("--out", merge.out, "folder to write")->required()->type_name("DIR")->check(named());
+  command->add_flag("--force", merge.force, "replace an earlier sweep in --out");
+  add_json(*command, merge.json);
+  command->callback([&] { chosen = [&] { return merge_command(merge); }; });
+
+  FitArguments fit;
+  command = program.add_subcommand("fit", "the cheapest widths and table sizes of schemes that reach a quality on the worst of several scenes");
+  command->add_option("scenes", fit.scenes, "shipped scenes, scene files (.toml) or meshes (.obj)")->required()->type_name("SCENE...");
+  command->add_option("--scheme,--schemes", fit.schemes, "ids with commas between, or all")->capture_default_str()->type_name("A,B,...");
+  command->add_option("--psnr", fit.psnr_db, "quality to reach, in dB")->required()->check(CLI::Range(1.0, 200.0))->type_name("DB");
+  command->add_option("--against", fit.against,
+                      "what the fixed-point picture is compared with: the reference (so that a scheme's own errors count), or the scheme's double "
+                      "evaluation (its words alone)")
+      ->check(CLI::IsMember({"reference", "double"}))
+      ->capture_default_str();
+  command->add_option("--cost", fit.cost, "multipliers, adders, table_bits, area or energy (default: area or energy by --prices, else table_bits)")
+      ->check(CLI::IsMember({"multipliers", "adders", "table_bits", "area", "energy"}));
+  command->add_option("--prices", fit.prices, "a shipped table or a file (TOML); may be repeated: areas and energies from the first that has any")
+      ->type_name("NAME|FILE")
+      ->allow_extra_args(false)
+      ->check(named());
+  command->add_option("--designs", fit.designs, "designs measured at most, for each scheme")->check(CLI::Range(1, 100000))->capture_default_str()->type_name("N");
+  add_format(*command, fit.format);
+  command->add_option("--out", fit.out, "file to write (default: stdout)")->type_name("FILE")->check(named());
+  add_configuration(*command, fit.configuration_files, fit.settings);
+  add_jobs(*command, fit.jobs);
+  command->add_flag("--force", fit.force, "replace the file of --out");
+  add_json(*command, fit.json);
+  command->callback([&] { chosen = [&] { return fit_command(fit); }; });
+
+  ParetoArguments pareto;
+  command = program.add_subcommand("pareto", "which rows of a sweep's or a fit's table no other row beats in two columns; also as a plot");
+  command->add_option("table", pareto.table, "folder of a sweep, or a file: CSV, JSON Lines, or JSON of a fit")->required()->type_name("DIR|FILE");
+  command->add_option("--x", pareto.x, "column, or what only one column's name holds")->required()->type_name("COLUMN")->check(named());
+  command->add_option("--y", pareto.y, "column, or what only one column's name holds")->required()->type_name("COLUMN")->check(named());
+  command->add_option("--x-better", pareto.x_better, "low or high")->check(CLI::IsMember({"low", "high"}))->capture_default_str();
+  command->add_option("--y-better", pareto.y_better, "low or high")->check(CLI::IsMember({"low", "high"}))->capture_default_str();
+  command->add_option("--log", pareto.log, "axes of the plot with a logarithmic scale: x, y or xy")->check(CLI::IsMember({"x", "y", "xy"}));
+  command->add_option("--label", pareto.label, "column that names and colours the points (default: scheme)")->type_name("COLUMN")->check(named());
+  command->add_option("--where", pareto.where, "keep rows with this value only; may be repeated")->type_name("COLUMN=VALUE")->allow_extra_args(false);
+  command->add_option("--out", pareto.out, "plot to write (SVG)")->type_name("FILE.svg")->check(named());
+  command->add_option("--title", pareto.title, "of the plot");
+  add_format(*command, pareto.format);
+  command->add_flag("--force", pareto.force, "replace the file of --out");
+  add_json(*command, pareto.json);
+  command->callback([&] { chosen = [&] { return pareto_command(pareto); }; });
 
   ListArguments list;
   command = program.add_subcommand("list", "list schemes and shipped scenes");
@@ -206,7 +302,7 @@ int command_line(int argc, char* argv[]) {
   }
 
   const bool json = run.json || compare.json || table1.json || table2.json || list.json || describe.json || check.json || luts.json || probe.json ||
-                    retime.json || retime.format == "json" || compare.format == "json";
+                    retime.json || retime.format == "json" || compare.format == "json" || price.json || price.format == "json" || fit.json || fit.format == "json" || pareto.json || pareto.format == "json";
   try {
     const int code = chosen();
     if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category());

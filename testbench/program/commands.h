@@ -61,6 +61,23 @@ struct CompareArguments {
 };
 int compare_command(const CompareArguments& arguments);
 
+struct PriceArguments {
+  std::string schemes;              ///< ids with commas between, or "all"; empty: those of break_even, else all
+  std::vector<std::string> prices;  ///< names or files; none: the shipped ones
+  std::string scene;                ///< empty: every pixel netlist once, no memory traffic
+  std::string break_even;           ///< two ids
+  int real_bits = 0;                ///< width of interpolators and vertex work; 0: floating point
+  std::string format = "text";      ///< text, md, csv or json
+  std::string out;                  ///< file; empty: stdout
+  std::vector<std::string> configuration_files;
+  std::vector<std::string> settings;
+  bool items = false;  ///< text and md: every component of every unit
+  int jobs = 0;
+  bool force = false;
+  bool json = false;  ///< short for format json
+};
+int price_command(const PriceArguments& arguments);
+
 struct RetimeArguments {
   std::string trace;
   std::vector<std::string> configuration_files;
@@ -71,6 +88,58 @@ struct RetimeArguments {
   bool json = false;                ///< short for format json
 };
 int retime_command(const RetimeArguments& arguments);
+
+struct SweepArguments {
+  std::string spec;         ///< specification, a TOML file
+  std::string out;          ///< folder: journal and tables
+  std::string shard;        ///< "2/3"; empty: all
+  std::string check = "3";  ///< points dated again that are run in full as well: a number, "5%" or "all"
+  int jobs = 0;             ///< processes side by side; 0: one per core
+  bool force = false;       ///< forget what the folder has
+  bool json = false;
+};
+int sweep_command(const SweepArguments& arguments);
+
+struct MergeArguments {
+  std::vector<std::string> folders;  ///< of finished shards
+  std::string out;
+  bool force = false;
+  bool json = false;
+};
+int merge_command(const MergeArguments& arguments);
+
+struct FitArguments {
+  std::vector<std::string> scenes;
+  std::string schemes = "all";        ///< ids with commas between, or "all"
+  double psnr_db = 0;                 ///< to reach on the worst scene
+  std::string against = "reference";  ///< or "double"
+  std::string cost;                   ///< multipliers, adders, table_bits, area or energy; empty: area or energy if priced, else table_bits
+  std::vector<std::string> prices;    ///< names or files; none: unpriced
+  int designs = 300;                  ///< measured at most, for each scheme
+  std::string format = "text";        ///< text, md, csv or json
+  std::string out;                    ///< file; empty: stdout
+  std::vector<std::string> configuration_files;
+  std::vector<std::string> settings;  ///< widths among them are left as set
+  int jobs = 0;
+  bool force = false;
+  bool json = false;  ///< short for format json
+};
+int fit_command(const FitArguments& arguments);
+
+struct ParetoArguments {
+  std::string table;  ///< folder of a sweep, or a file: CSV, JSON Lines, or a fit's JSON
+  std::string x, y;   ///< columns
+  std::string x_better = "low", y_better = "high";
+  std::string log;                 ///< axes with a logarithmic scale: "", "x", "y", "xy"
+  std::string label;               ///< column; empty: scheme, if there is one
+  std::vector<std::string> where;  ///< "column=value": rows to keep
+  std::string out;                 ///< SVG file; empty: none
+  std::string title;
+  std::string format = "text";  ///< text, md, csv or json
+  bool force = false;
+  bool json = false;  ///< short for format json
+};
+int pareto_command(const ParetoArguments& arguments);
 
 struct ListArguments {
   std::string what;  ///< "schemes", "scenes", or empty for both

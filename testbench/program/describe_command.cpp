@@ -46,27 +46,33 @@ std::string module_of(const std::string& key) { return key.substr(0, key.find('.
 
 Json counts_json(const Inventory& i) {
   return {{"multipliers", i.multipliers}, {"adders", i.adders}, {"dividers", i.dividers}, {"square_roots", i.square_roots},
-          {"tables", i.tables}, {"maps", i.maps}, {"clamps", i.clamps}, {"selects", i.selects}, {"sign_logic", i.sign_logic},
+          {"tables", i.tables}, {"maps", i.maps}, {"shifters", i.shifters}, {"clamps", i.clamps}, {"selects", i.selects}, {"sign_logic", i.sign_logic},
           {"shifts", i.shifts}, {"index_encoders", i.index_encoders}, {"second_ports", i.second_ports}, {"table_bits", i.table_bits}};
 }
 
 void print_units(const Design& design) {
   const auto row = [](const std::string& name, const auto&... cells) {
-    constexpr int widths[] = {5, 6, 5, 5, 7, 5, 6, 8, 10};
+    constexpr int widths[] = {5, 6, 5, 5, 7, 5, 6, 8, 10, 9};
     const int* width = widths;
     fmt::print("  {:<26}", name);
     (fmt::print(" {:>{}}", cells, *width++), ...);
     fmt::print("\n");
   };
   fmt::print("\n");
-  row("built, one light", "mul", "adders", "div", "sqrt", "tables", "maps", "clamps", "selects", "table bits");
-  const auto counts = [&row](const std::string& name, const Inventory& i) {
-    row(name, i.multipliers, i.adders, i.dividers, i.square_roots, i.tables, i.maps, i.clamps, i.selects, i.table_bits);
+  const std::vector<NamedNetlist> units = units_of(design);
+  const bool has_shifters = std::any_of(units.begin(), units.end(), [](const NamedNetlist& unit) { return count(*unit.netlist).shifters > 0; });
+  const auto with_shifters = [&](const std::string& name, const auto& shifters, const auto&... cells) {
+    if (has_shifters) return row(name, cells..., shifters);
+    row(name, cells...);
   };
-  for (const NamedNetlist& unit : units_of(design)) {
+  with_shifters("built, one light", "shifters", "mul", "adders", "div", "sqrt", "tables", "maps", "clamps", "selects", "table bits");
+  const auto counts = [&](const std::string& name, const Inventory& i) {
+    with_shifters(name, i.shifters, i.multipliers, i.adders, i.dividers, i.square_roots, i.tables, i.maps, i.clamps, i.selects, i.table_bits);
+  };
+  for (const NamedNetlist& unit : units) {
     counts(unit.name, published_of(unit));
     const Inventory addition = count(*unit.netlist, Portion::addition);
-    if (addition.adders + addition.multipliers + addition.tables + addition.dividers + addition.square_roots + addition.maps > 0)
+    if (addition.adders + addition.multipliers + addition.tables + addition.dividers + addition.square_roots + addition.maps + addition.shifters > 0)
       counts("  beside the published", addition);
   }
 }

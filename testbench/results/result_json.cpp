@@ -25,7 +25,8 @@ Json channels(const std::array<double, 3>& values) {
 
 Json operators(const Inventory& inventory) {
   return {{"multipliers", inventory.multipliers},   {"adders", inventory.adders}, {"dividers", inventory.dividers},
-          {"square_roots", inventory.square_roots}, {"tables", inventory.tables}, {"maps", inventory.maps}};
+          {"square_roots", inventory.square_roots}, {"tables", inventory.tables}, {"maps", inventory.maps},
+          {"shifters", inventory.shifters}};
 }
 
 Json built(const Inventory& inventory) {

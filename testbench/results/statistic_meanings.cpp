@@ -18,6 +18,7 @@ std::vector<StatisticMeaning> result_statistic_meanings() {
       {"operators", "built_square_roots", "operators", "square roots of the published design", ""},
       {"operators", "built_tables", "operators", "tables with one index; several outputs of one index are one table", ""},
       {"operators", "built_maps", "operators", "large tables with more than one index", ""},
+      {"operators", "built_shifters", "operators", "barrel shifters, which Table 1 of Lee 2007 has no column for", ""},
       {"operators", "built_table_bits", "bits", "ROM bits, one copy for every read", ""},
       {"operators", "additional_multipliers", "operators", "multipliers that the design needs beside the published count", ""},
       {"operators", "additional_adders", "operators", "adders that the design needs beside the published count", ""},
@@ -25,6 +26,7 @@ std::vector<StatisticMeaning> result_statistic_meanings() {
       {"operators", "additional_square_roots", "operators", "square roots that the design needs beside the published count", ""},
       {"operators", "additional_tables", "operators", "tables that the design needs beside the published count", ""},
       {"operators", "additional_maps", "operators", "maps that the design needs beside the published count", ""},
+      {"operators", "additional_shifters", "operators", "barrel shifters that the design needs beside the published count", ""},
       {"operators", "additional_table_bits", "bits", "ROM bits of the additional tables and maps", ""},
       {"operators", "executions", "executions", "times the datapath was executed",
        "fragments * lights (fragments with light maps); fragments (colour, interpolators); vertices (vertex work); entries * lights * "

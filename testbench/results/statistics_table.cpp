@@ -64,6 +64,7 @@ void add_unit(Rows& rows, const UnitCost& unit) {
     rows.add(start + "square_roots", inventory->square_roots, "operators");
     rows.add(start + "tables", inventory->tables, "operators");
     rows.add(start + "maps", inventory->maps, "operators");
+    rows.add(start + "shifters", inventory->shifters, "operators");
     rows.add(start + "table_bits", inventory->table_bits, "bits");
   }
   rows.add("executions", unit.executions, "executions");

@@ -96,6 +96,12 @@ class Summary {
       line("  {:<20}{:>14}", "bound reached", fmt::format("{:.1f} %", 100 * bound / static_cast<double>(result_.timing.cycles)));
   }
 
+  /// A column that only designs with logarithms have.
+  bool has_shifters() const {
+    return std::any_of(result_.units.begin(), result_.units.end(),
+                       [](const UnitCost& unit) { return unit.published.shifters + unit.addition.shifters > 0; });
+  }
+
   /// "6 | 6": what the netlist counts, and what Table 1 prints beside it.
   static std::string cell(int built, int published, bool available, bool& differs) {
     if (!available) return built ? fmt::format("{:>3}    ", built) : fmt::format("{:>3}    ", "-");
@@ -113,6 +119,7 @@ class Summary {
                                          {counts.tables, printed.tables},           {counts.maps, printed.maps}};
     std::string cells;
     for (const auto& [built, paper] : pairs) cells += fmt::format("{:>9}", cell(built, paper, available, differs));
+    if (has_shifters()) cells += fmt::format("{:>9}", fmt::format("{:>3}    ", counts.shifters ? std::to_string(counts.shifters) : "-"));
     line("  {:<18}{}{:>16}", name, cells, timing);
     if (!published) return;
     if (!published->available) notes_.push_back(fmt::format("{}: not available in Table 1", name));
@@ -134,8 +141,8 @@ class Summary {
   void operators() {
     if (result_.units.empty()) return;
     text_ += heading("operators built | Table 1 of Lee 2007 (published, where it lists the scheme)");
-    line("  {:<18}{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>16}", "", "mult  ", "add  ", "div  ", "sqrt  ", "table  ", "map  ",
-         "latency/interval");
+    line("  {:<18}{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {}{:>16}", "", "mult  ", "add  ", "div  ", "sqrt  ", "table  ", "map  ",
+         has_shifters() ? " shifter " : "", "latency/interval");
     const auto has_unit = [](const UnitCost& unit) { return unit.name == "light_map_address"; };
     const bool in_parts = std::any_of(result_.units.begin(), result_.units.end(), has_unit);
     for (const UnitCost& unit : result_.units) {
@@ -144,7 +151,7 @@ class Summary {
       const bool is_part = in_parts && unit.name == "illumination";
       operator_line(unit.name, unit.published, is_part ? nullptr : published::table1_cell(report_.scheme->page().id, unit.name), timing);
       const Inventory& more = unit.addition;
-      if (more.multipliers + more.adders + more.dividers + more.square_roots + more.tables + more.maps > 0)
+      if (more.multipliers + more.adders + more.dividers + more.square_roots + more.tables + more.maps + more.shifters > 0)
         operator_line("  + beside them", more, nullptr, "");
       if (unit.pipeline && unit.pipeline->multipliers < unit.published.multipliers + more.multipliers)
         line("    shared: {} multipliers in hardware", unit.pipeline->multipliers);

@@ -167,6 +167,18 @@ TEST_CASE("light maps and the work of a frame are counted where a scheme has the
   CHECK(text.find("Operators of further units") != std::string::npos);
 }
 
+TEST_CASE("barrel shifters have columns where a scheme has any") {
+  Sample sample;
+  const std::string with = comparison_text(sample.comparison);
+  CHECK(with.find(" shift") != std::string::npos);
+  for (ComparisonRow& row : sample.comparison.rows)
+    for (auto& [unit, counts] : row.result["operators"].items())
+      for (const char* kind : {"built", "additional", "used_per_fragment"}) counts[kind]["shifters"] = 0;
+  const std::string without = comparison_text(sample.comparison);
+  CHECK(without.find(" shift") == std::string::npos);
+  CHECK(comparison_markdown(sample.comparison).find("shift") == std::string::npos);
+}
+
 TEST_CASE("the text's columns line up and no line is too long") {
   Sample sample;
   sample.fail(1, ErrorKind::deadlock);

@@ -41,7 +41,7 @@ void walk(const Netlist& netlist, std::map<std::string, double>& counts) {
     if (node.addition || node.second_port) continue;
     const std::string op = name_of(node.op);
     if (op == "mul") ++counts["multipliers"];
-    if (op == "add" || op == "sub") ++counts["adders"];
+    if (op == "add" || op == "sub" || op == "add_sub") ++counts["adders"];
     if (op == "div") ++counts["dividers"];
     if (op == "sqrt") ++counts["square_roots"];
     if (node.table >= 0 && op == "table")

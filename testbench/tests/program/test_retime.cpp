@@ -172,13 +172,13 @@ TEST_CASE("files that are no traces, and sweeps that are none, are bad input") {
 TEST_CASE("a trace is written whole or not at all, and never over another file unless told to") {
   const TemporaryFolder folder;
   folder.write("scene.toml", small_scene());
-  folder.write("scene.trace", "precious");
+  folder.write("scene.trace", "bumptrc\nprecious");
   const std::string command = "run scene.toml --no-quality --out r --record ";
   const Outcome refused = bumpsim(command + "scene.trace", folder.path());
   CHECK(refused.code == 2);
   CHECK(refused.err.find("--record") != std::string::npos);
   CHECK_FALSE(fs::exists(folder.path() / "r"));
-  CHECK(read_file(folder.path() / "scene.trace") == "precious");
+  CHECK(read_file(folder.path() / "scene.trace") == "bumptrc\nprecious");
   CHECK(bumpsim(command + "r/scene.trace", folder.path()).code == 2);
   CHECK(bumpsim(command + "''", folder.path()).code == 2);
   CHECK_FALSE(fs::exists(folder.path() / "r"));

@@ -27,6 +27,7 @@ TEST_CASE("result.json has every field of its contract, in its type") {
       {"/frames_per_second", Type::number_float},
       {"/operators/environment/built/multipliers", Type::number_unsigned},
       {"/operators/environment/built/square_roots", Type::number_unsigned},
+      {"/operators/environment/built/shifters", Type::number_unsigned},
       {"/operators/environment/additional/adders", Type::number_unsigned},
       {"/operators/environment/used_per_fragment/tables", Type::number_float},
       {"/operators/environment/latency", Type::number_unsigned},

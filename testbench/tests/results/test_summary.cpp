@@ -39,6 +39,17 @@ TEST_CASE("no line of the summary is wider than 100 columns or ends in blanks") 
   CHECK(lines > 20);
 }
 
+TEST_CASE("the summary has a column for barrel shifters where a unit has any") {
+  Sample sample;
+  CHECK_THAT(summary(sample.report), !Contains("shifter"));
+  REQUIRE(!sample.result.units.empty());
+  sample.result.units.front().published.shifters = 6;
+  const std::string text = summary(sample.report);
+  CHECK_THAT(text, Contains("map    shifter") && Contains("   6    "));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+}
+
 TEST_CASE("a run without fragments, tables or references still has a summary") {
   Sample sample;
   sample.result = SimulationResult{};

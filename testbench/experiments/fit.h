@@ -1,0 +1,82 @@
+#pragma once
+// Equal quality: for each scheme the cheapest widths whose pictures reach a PSNR on the worst of several scenes (fit_search.h). Designs are
+// simulated in child processes, without dates while searching; the answer is then run once more as any run is, self-check included.
+// Quality is by default that of the hardware's picture against the reference, which holds a scheme to the truth: what its formula
+// neglects counts as what its words round. Against its own double evaluation only the words count. No model of hardware.
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "channels/parameters.h"
+#include "datapath/error.h"
+#include "schemes/scheme.h"
+#include "testbench/experiments/fit_cost.h"
+#include "testbench/experiments/price_table.h"
+#include "units/scene.h"
+
+namespace bump {
+
+enum class FitAgainst { reference, own_double };
+
+struct FitOptions {
+  double psnr_db = 0;
+  FitAgainst against = FitAgainst::reference;
+  FitCostKind cost = FitCostKind::table_bits;
+  PriceBook book;   ///< what to price by; its tables must outlive the result
+  int limit = 300;  ///< designs measured at most, for each scheme
+  int jobs = 0;     ///< 0: one per core; the result does not depend on it
+  /// Schemes finished, and designs measured of the next one as a share of the limit.
+  std::function<void(double)> progress;
+  const std::atomic<bool>* cancelled = nullptr;
+};
+
+/// A scene's picture by the design found, dB; infinite for identical pictures.
+struct FitQuality {
+  double to_reference = 0, to_double = 0;
+  double double_to_reference = 0;  ///< of the scheme's formula, whatever the widths
+};
+
+struct FitRow {
+  const SchemePage* page = nullptr;
+  std::optional<Error> error;          ///< why there is no design
+  std::vector<std::string> keys;       ///< widths that were chosen
+  std::vector<WidthRange> ranges;      ///< what their parameters allow
+  Widths widths;                       ///< theirs
+  std::vector<std::string> set, idle;  ///< widths that the user set; that have no effect
+  bool reached = false;                ///< false: no design that was measured does; this is the best of them
+  bool complete = true;                ///< false: the limit ended the search
+  int measured = 0;                    ///< designs
+  int failed = 0;                      ///< of them, by an error
+  DesignSize size;
+  std::vector<FitQuality> qualities;  ///< one a scene
+
+  double worst(double FitQuality::*which) const;
+  /// Whether narrower words might do, if the scheme's parameters allowed them.
+  bool is_narrowest() const;
+};
+
+struct Fit {
+  std::vector<const Scene*> scenes;
+  const Configuration* configuration = nullptr;
+  FitOptions options;
+  std::vector<FitRow> rows;
+
+  /// Of the row, as asked for.
+  double worst(const FitRow& row) const;
+};
+
+/// Scenes and configuration must outlive the result. Call before this process elaborates SystemC. Throws Error(input) for settings under
+/// which widths mean nothing, for two scenes of one name, and for a cost that no price table has; Error(cancelled).
+Fit fit(const std::vector<const Scene*>& scenes, const std::vector<const Scheme*>& schemes, const Configuration& configuration,
+        const FitOptions& options);
+
+/// "own_double" is `double` on the command line.
+const char* name_of(FitAgainst against);
+
+/// The first row with the worst failure; null if there is none. Not to reach the target is no failure.
+const FitRow* worst_failure(const Fit& fit);
+
+}  // namespace bump
