@@ -14,27 +14,33 @@ WITHOUT_BUMPS = ("phong1975",)
 
 
 def fits(work):
-    """Rows of all fits with their target, those with a design only."""
+    """Rows of all fits that have a design: defaults first, then variants; each with the settings of its fit."""
     rows = []
-    for target in TARGETS:
-        for row in json.loads((work / f"fit-{target}.json").read_text())["rows"]:
+    for path in sorted(work.glob("fit-*.json"), key=lambda path: (path.stem.count("-") > 1, path.stem)):
+        fit = json.loads(path.read_text())
+        for row in fit["rows"]:
             if row["status"] in ("reached", "not_reached"):
+                row["settings"] = fit["settings"]
                 rows.append(row)
     return rows
 
 
+def key_of(row):
+    return (row["scheme"], row["widths"], tuple(sorted(row["settings"].items())))
+
+
 def distinct(rows):
-    """Designs that differ, in order: (scheme, widths)."""
-    seen = []
+    """Rows whose designs differ, in order."""
+    seen = {}
     for row in rows:
-        if (row["scheme"], row["widths"]) not in seen:
-            seen.append((row["scheme"], row["widths"]))
-    return seen
+        seen.setdefault(key_of(row), row)
+    return list(seen.values())
 
 
-def list_entry(scene, scheme, widths, more=()):
-    lines = ["[[list]]", f'scene = "{scene}"', f'scheme = "{scheme}"']
-    lines += [f"{key} = {value}" for key, value in (pair.split("=") for pair in widths.split())]
+def list_entry(scene, row, more=()):
+    lines = ["[[list]]", f'scene = "{scene}"', f'scheme = "{row["scheme"]}"']
+    lines += [f"{key} = {json.dumps(value)}" for key, value in row["settings"].items()]
+    lines += [f"{key} = {value}" for key, value in (pair.split("=") for pair in row["widths"].split())]
     lines += [f"{key} = {value}" for key, value in more]
     return "\n".join(lines) + "\n"
 
@@ -42,18 +48,15 @@ def list_entry(scene, scheme, widths, more=()):
 def write_specifications(work):
     designs = distinct(fits(work))
     head = "scenes = [{}]\nschemes = [{}]\nquality = {}\n"
-    schemes = ", ".join(f'"{s}"' for s in sorted({scheme for scheme, _ in designs}))
-
+    schemes = ", ".join(f'"{s}"' for s in sorted({row["scheme"] for row in designs}))
     others = head.format(", ".join(f'"{s}"' for s in OTHER_SCENES), schemes, "true")
-    for scheme, widths in designs:
-        for scene in OTHER_SCENES:
-            others += list_entry(scene, scheme, widths)
-    (work / "others.toml").write_text(others)
-
     limited = head.format('"world_sphere"', schemes, "false")
-    for scheme, widths in designs:
+    for row in designs:
+        for scene in OTHER_SCENES:
+            others += list_entry(scene, row)
         for limit in LIMITS:
-            limited += list_entry("world_sphere", scheme, widths, [("environment.multipliers", limit), ("illumination.multipliers", limit)])
+            limited += list_entry("world_sphere", row, [("environment.multipliers", limit), ("illumination.multipliers", limit)])
+    (work / "others.toml").write_text(others)
     (work / "limited.toml").write_text(limited)
 
 
@@ -65,15 +68,11 @@ def write_table(work):
         table = csv.DictWriter(file, columns, extrasaction="ignore", lineterminator="\n")
         table.writeheader()
         for row in rows:
-            table.writerow(row)
+            table.writerow({**row, "scheme": name(row)})
 
 
 def points(path):
     return [json.loads(line) for line in path.read_text().splitlines()]
-
-
-def has(point, scheme, widths):
-    return point["scheme"] == scheme and all(str(point.get(key)) == value for key, value in (pair.split("=") for pair in widths.split()))
 
 
 def number(value, digits):
@@ -86,22 +85,29 @@ def report(work):
     fit = json.loads((work / f"fit-{TARGETS[0]}.json").read_text())
     area, energy = fit["prices"]["area"], fit["prices"]["energy"]
 
+    # Points come in the order of the specification.
+    place = {key_of(row): i for i, row in enumerate(distinct(fits(work)))}
+
     def held(row, scene):
-        found = [p.get("psnr_hardware_to_reference_db") for p in others if p["scene"] == scene and has(p, row["scheme"], row["widths"])]
-        return found[0] if found else None
+        point = others[place[key_of(row)] * len(OTHER_SCENES) + OTHER_SCENES.index(scene)]
+        assert point["scheme"] == row["scheme"] and point["scene"] == scene
+        return point.get("psnr_hardware_to_reference_db")
 
     def rate(row, limit):
-        found = [p.get("fragments_per_cycle") for p in limited
-                 if p.get("environment.multipliers") == limit and has(p, row["scheme"], row["widths"])]
-        return found[0] if found else None
+        point = limited[place[key_of(row)] * len(LIMITS) + LIMITS.index(limit)]
+        assert point["scheme"] == row["scheme"] and point["environment.multipliers"] == limit
+        return point.get("fragments_per_cycle")
 
     print("# All schemes at equal quality\n")
     print("Written by `scripts/explore.sh`. For each scheme `bumpsim fit` searches the widths and table sizes with the least area whose pictures of "
-          "wood_plane, brick_cube and world_sphere all reach a PSNR against the reference (512 x 512, schemes at their default settings otherwise). Brick_torus and bunny "
+          "wood_plane, brick_cube and world_sphere all reach a PSNR against the reference (512 x 512, default settings but for those named). Brick_torus and bunny "
           "were not used to choose anything. Marks: (R) in part a reconstruction; * this project's own, in no paper.\n")
     print(f"Area in {area['unit']} by price table `{area['name']}` ({area['accuracy']}). Energy in {energy['unit']} a fragment by `{energy['name']}` "
           f"({energy['accuracy']}). Both are of the per-pixel datapaths with their pipeline registers and tables, one fragment a clock; interpolators, colour unit, "
           "texture and vertex work are not in them, and `bumpsim compare` lists these for every scheme.\n")
+    print("How to read it: widths end at the least that a scheme declares (8-bit words for Peercy 1997, Ernst 1998 and Blinn 1978, 12-bit words for Lee 2007, 6-bit words and light tables of 64 words of 16 bits for most others), so a row far above its target is an upper "
+          "bound of what the target costs. Designs without settings are at their defaults: nearest texels for the polar maps of Lee 2007 and its kin, tangents along parallels for the maps with their pole on y, which the bunny does not have. Settings "
+          "in the rows' names are the variants that were tried beside them; ROMs have one port.\n")
     headline(rows, held)
     for target in TARGETS:
         print(f"## At {target} dB\n")
@@ -127,7 +133,9 @@ def report(work):
 
 
 def name(row):
-    return row["scheme"] + (" (R)" if row["reconstruction"] else "" if row["scheme"] in PUBLISHED + WITHOUT_BUMPS else "*")
+    mark = " (R)" if row["reconstruction"] else "" if row["scheme"] in PUBLISHED + WITHOUT_BUMPS else "*"
+    settings = " ".join(f"{key.split('.')[1]}={value}" for key, value in row["settings"].items())
+    return row["scheme"] + mark + (f" {settings}" if settings else "")
 
 
 def headline(rows, held):

@@ -14,8 +14,8 @@ bool ends_with(const std::string& text, const std::string& end) {
 }
 
 bool is_width(const Parameter& parameter, const std::string& id) {
-  return parameter.key.rfind(id + ".", 0) == 0 && std::holds_alternative<std::int64_t>(parameter.fallback) && parameter.unit == "bits" &&
-         !ends_with(parameter.key, "integer_bits");
+  return parameter.key.rfind(id + ".", 0) == 0 && std::holds_alternative<std::int64_t>(parameter.fallback) &&
+         (parameter.unit == "bits" || parameter.unit == "stages") && !ends_with(parameter.key, "integer_bits");
 }
 
 void add(const Netlist& netlist, std::string& text) {

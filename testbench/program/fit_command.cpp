@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <deque>
 
 #include "testbench/experiments/compare.h"
@@ -49,6 +50,7 @@ int report_failures(const Fit& fit) {
 
 int fit_command(const FitArguments& arguments) {
   const std::atomic<bool>& interrupted = watch_interrupts();
+  if (!std::isfinite(arguments.psnr_db)) throw Error({"--psnr is no number", {}, "", "dB, e.g. --psnr 40"});
   if (!arguments.out.empty()) check_output_file(arguments.out, arguments.force);
   const std::vector<const Scheme*> schemes = schemes_of(arguments.schemes);
   const Configuration configuration = configure(arguments.configuration_files, arguments.settings);
