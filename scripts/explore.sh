@@ -15,10 +15,10 @@ for target in 30 40 48; do
     --json --out "$work/fit-$target.json" || true  # a scheme that fails is a row
 done
 # Beside the defaults: other normalisers and texels, and what serves any mesh, whatever its texture charts.
-variants=("peercy1997 normaliser=table" "cart texel=angles" "cart normal=matrix" "yp6 frame=pixel angles=pixel" "lns frame=pixel angles=pixel"
+variants=("peercy1997 normaliser=table" "peercy1997 transform=vertex" "peercy1997 transform=vertex normaliser=table" "cart texel=angles" "cart normal=matrix" "yp6 frame=pixel angles=pixel" "lns frame=pixel angles=pixel"
   "n2l frame=pixel angles=pixel" "yp6g map_filter=vector angles=pixel" "lnsg map_filter=vector angles=pixel"
   "exact_polar map_filter=vector angles=pixel" "lee2007_corrected map_filter=vector angles=pixel")
-for target in 40 48; do
+for target in 30 40 48; do
   for variant in "${variants[@]}"; do
     read -r scheme settings <<<"$variant"
     out="$work/fit-$target-${variant// /-}.json"
