@@ -105,7 +105,7 @@ def report(work):
     print(f"Area in {area['unit']} by price table `{area['name']}` ({area['accuracy']}). Energy in {energy['unit']} a fragment by `{energy['name']}` "
           f"({energy['accuracy']}). Both are of the per-pixel datapaths with their pipeline registers and tables, one fragment a clock; interpolators, colour unit, "
           "texture and vertex work are not in them, and `bumpsim compare` lists these for every scheme.\n")
-    print("How to read it: widths end at the least that a scheme declares (8-bit words for Peercy 1997, Ernst 1998 and Blinn 1978, 12-bit words for Lee 2007, 6-bit words and light tables of 64 words of 16 bits for most others), so a row far above its target is an upper "
+    print("How to read it: widths end at the least that a scheme declares (words of 12 bits for Lee 2007, 10 for lee2007_corrected and exact_polar, 8 for Peercy 1997, Ernst 1998, Blinn 1978, Kim 2001 and Kugler 1998, 6 for this project's other designs; light tables of 64 words), so a row far above its target is an upper "
           "bound of what the target costs. Designs without settings are at their defaults: nearest texels for the polar maps of Lee 2007 and its kin, tangents along parallels for the maps with their pole on y, which the bunny does not have. Settings "
           "in the rows' names are the variants that were tried beside them; ROMs have one port.\n")
     headline(rows, held)

@@ -81,6 +81,7 @@ def main():
              "--sweep", "fifos.depth=" + ",".join(str(i) for i in range(2, 102))]
     print(f"\n10,000 configurations of world_sphere (memory latency x FIFO depth) with two threads: {seconds(sweep):.1f} s.\n")
     print("## Whole runs\n")
+    print("With the default number of threads: the two pictures are encoded side by side where there are two cores.\n")
     for size, ratio, to_units in whole_runs(work):
         print(f"* `run world_sphere --no-quality` at {size} x {size}, reading and writing included: {ratio:.1f} times the simulation with its preparation "
               f"(designs, tables, encoded maps, empty frames), {to_units:.1f} times the engine alone as above")

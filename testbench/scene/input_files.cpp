@@ -36,8 +36,10 @@ std::string read_bytes(const std::string& path, const std::string& what, const L
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
-    throw Error(
-        {named + " does not exist", where, from.file.empty() ? "" : "paths are relative to the file that names them", nearest_file(path)});
+    throw Error({named + " does not exist", where,
+                 from.file.empty() ? "paths on the command line are relative to the current folder"
+                                   : "paths are relative to the file that names them",
+                 nearest_file(path)});
   }
   if (fs::is_directory(status)) throw Error({named + " is a folder", where, "a file is expected here", ""});
   if (!fs::is_regular_file(status)) throw Error({named + " is not a regular file", where, error ? error.message() : "", ""});

@@ -1,7 +1,10 @@
 // `bumpsim price` as a user meets it.
 
+#include <fmt/core.h>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "program_runner.h"
 
@@ -110,4 +113,23 @@ TEST_CASE("of several schemes the one without a price is a row, and the exit cod
   CHECK(outcome.err.find("price table 'no_divider' has no area.divider") != std::string::npos);
   CHECK(outcome.out.find("lee2007,bump_mapping,total,area") != std::string::npos);
   CHECK(outcome.out.find("error: price table 'no_divider' has no area.divider") != std::string::npos);
+}
+
+TEST_CASE("the prices that the README shows are those that the program prints") {
+  const TemporaryFolder folder;
+  const std::string page = read_file(fs::path(BUMP_SOURCE_DIR) / "README.md");
+  // | `scheme`, `setting` | area | of which tables, registers | energy | of which tables |
+  const std::regex row(R"(\n\| `(\w+)`(?:, `([\w=]+)`)? \| ([\d.]+) k \| [\d.]+ k, [\d.]+ k \| ([\d.]+) \| [\d.]+ \|(?=\n))");
+  int rows = 0;
+  for (std::sregex_iterator found(page.begin(), page.end(), row), end; found != end; ++found, ++rows) {
+    const std::string scheme = (*found)[1], setting = (*found)[2];
+    const Outcome outcome =
+        bumpsim("price " + scheme + (setting.empty() ? "" : " --set " + scheme + "." + setting) + " --json", folder.path());
+    INFO(scheme << " " << setting << "\n" << outcome.err);
+    REQUIRE(outcome.code == 0);
+    const Json priced = Json::parse(outcome.out)["schemes"][0];
+    CHECK(fmt::format("{:.1f}", priced["area"]["bump_mapping"].get<double>() / 1000) == (*found)[3]);
+    CHECK(fmt::format("{:.1f}", priced["energy_of_fragment"]["bump_mapping"].get<double>()) == (*found)[4]);
+  }
+  CHECK(rows == 5);
 }
