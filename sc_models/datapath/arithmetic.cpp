@@ -26,7 +26,7 @@ DividerShape divider_shape(const Format& a, const Format& b, const Format& quoti
   DividerShape shape;
   shape.shift = quotient.fraction + b.fraction - a.fraction;
   shape.magnitude = magnitude_bits(quotient);
-  shape.rows = std::max(shape.magnitude, a.width + shape.shift);
+  shape.dividend = std::max(shape.magnitude, a.width + shape.shift);
   return shape;
 }
 
@@ -39,10 +39,11 @@ RootShape root_shape(const Format& a, const Format& root) {
 }
 
 std::uint64_t restoring_division(std::uint64_t dividend, std::uint64_t divisor, int rows) {
-  std::uint64_t remainder = 0, quotient = 0;
+  std::uint64_t remainder = dividend >> rows, quotient = 0;
+  if (remainder >= divisor) return ones(rows);  // always so for divisor 0
   for (int bit = rows - 1; bit >= 0; --bit) {
     remainder = (remainder << 1) | ((dividend >> bit) & 1);
-    if (remainder >= divisor) {  // always so for divisor 0: all ones
+    if (remainder >= divisor) {
       remainder -= divisor;
       quotient |= std::uint64_t{1} << bit;
     }
@@ -65,8 +66,7 @@ std::uint64_t restoring_root(std::uint64_t radicand, int rows) {
 }
 
 std::int64_t divide_by_array(std::int64_t a, std::int64_t b, const DividerShape& shape) {
-  const std::uint64_t quotient = restoring_division(scaled(magnitude_of(a), shape.shift), static_cast<std::uint64_t>(b), shape.rows);
-  return with_sign_of(a, quotient & ones(shape.magnitude));
+  return with_sign_of(a, restoring_division(scaled(magnitude_of(a), shape.shift), static_cast<std::uint64_t>(b), shape.magnitude));
 }
 
 std::int64_t root_by_array(std::int64_t a, const RootShape& shape) {
@@ -77,7 +77,7 @@ std::int64_t root_by_array(std::int64_t a, const RootShape& shape) {
 std::int64_t divide(std::int64_t a, std::int64_t b, const DividerShape& shape) {
   const auto divisor = static_cast<std::uint64_t>(b);
   const std::uint64_t quotient = divisor == 0 ? ~std::uint64_t{0} : scaled(magnitude_of(a), shape.shift) / divisor;
-  return with_sign_of(a, quotient & ones(shape.magnitude));
+  return with_sign_of(a, std::min(quotient, ones(shape.magnitude)));
 }
 
 std::int64_t root(std::int64_t a, const RootShape& shape) {

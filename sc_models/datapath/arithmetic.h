@@ -15,11 +15,17 @@ inline int magnitude_bits(const Format& format) {
   return format.width - (format.is_signed ? 1 : 0);
 }
 
+/// A clamp's bound as a word of the result: to nearest, and saturated even for an angle that wraps.
+inline std::int64_t bound_word(double bound, Format format) {
+  format.is_angle = false;
+  return quantise(bound, format);
+}
+
 /// The array that divides a by b into the quotient's format.
 struct DividerShape {
   int shift = 0;      ///< the dividend is |a| * 2^shift (floor when negative): this makes the quotient's fraction
-  int rows = 0;       ///< rows of the array: all quotient bits, of which the low `magnitude` ones are kept
-  int magnitude = 0;  ///< quotient bits kept
+  int dividend = 0;   ///< bits of the dividend, those of the quotient at least
+  int magnitude = 0;  ///< quotient bits, each a row of the array; what the dividend has in front of them is the first remainder
 };
 DividerShape divider_shape(const Format& a, const Format& b, const Format& quotient);
 
@@ -37,7 +43,8 @@ inline std::uint64_t scaled(std::uint64_t word, int shift) {
   return shift <= -64 ? 0 : word >> -shift;
 }
 
-/// floor(dividend / divisor) in `rows` bits, one a row; divisor 0 gives all ones. rows <= 63, dividend < 2^rows, divisor < 2^62.
+/// floor(dividend / divisor) in `rows` bits, one a row; all ones where that is too large for them, and by divisor 0. rows <= 62, dividend
+/// and divisor < 2^62.
 std::uint64_t restoring_division(std::uint64_t dividend, std::uint64_t divisor, int rows);
 /// floor(sqrt(radicand)) in `rows` bits. rows <= 31, radicand < 4^rows.
 std::uint64_t restoring_root(std::uint64_t radicand, int rows);

@@ -47,8 +47,8 @@ void check_quotient(const Node& node, const std::vector<Format>& operands, const
           whose + ": the quotient takes the sign of its signed dividend, its format is " + to_string(node.format));
   const DividerShape shape = divider_shape(operands[0], operands[1], node.format);
   require(shape.magnitude >= 1, whose + ": the quotient has no magnitude bits");
-  require(shape.rows <= widest_word,
-          fmt::format("{}: the shifted dividend has {} bits, at most {} are possible", whose, shape.rows, widest_word));
+  require(shape.dividend <= widest_word,
+          fmt::format("{}: the shifted dividend has {} bits, at most {} are possible", whose, shape.dividend, widest_word));
 }
 
 void check_root(const Node& node, const std::vector<Format>& operands, const std::string& whose) {

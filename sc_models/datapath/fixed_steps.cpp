@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "datapath/arithmetic.h"
 #include "datapath/invariant.h"
 #include "datapath/lane_math.h"
 #include "datapath/narrow_rules.h"
@@ -9,12 +10,6 @@
 namespace bump {
 
 namespace {
-
-/// A clamp's bound as a word of the result: to nearest, and saturated even for an angle that wraps.
-std::int64_t bound_word(double bound, Format format) {
-  format.is_angle = false;
-  return quantise(bound, format);
-}
 
 /// Constants for 64-bit lanes, which every operator has.
 void prepare_wide(const Node& node, const Format& a, const Format& b, const Format& c, FixedStep& s) {
@@ -43,7 +38,7 @@ void prepare_wide(const Node& node, const Format& a, const Format& b, const Form
       break;
     case Op::div:
       s.divider = divider_shape(a, b, to);
-      s.by_doubles = s.divider.rows <= narrow_bits && a.width <= narrow_bits && b.width <= narrow_bits;
+      s.by_doubles = s.divider.dividend <= narrow_bits && a.width <= narrow_bits && b.width <= narrow_bits;
       break;
     case Op::sqrt:
       s.root = root_shape(a, to);

@@ -46,8 +46,8 @@ BUMP_LANE_LOOP void to_double_narrow(const std::int64_t* __restrict words, doubl
   for (int i = 0; i < lanes; ++i) values[i] = double_of_narrow(words[i]) * step;
 }
 
-BUMP_LANE_LOOP void divide_narrow(const std::int64_t* __restrict a, const std::int64_t* __restrict b, int left, int right,
-                                  std::int64_t mask, std::int64_t* __restrict out, int lanes) {
+BUMP_LANE_LOOP void divide_narrow(const std::int64_t* __restrict a, const std::int64_t* __restrict b, int left, int right, double highest,
+                                  std::int64_t* __restrict out, int lanes) {
   for (int i = 0; i < lanes; ++i) {
     const std::int64_t sign = a[i] < 0 ? -1 : 0;
     const auto magnitude = static_cast<std::uint64_t>((a[i] ^ sign) - sign);
@@ -55,8 +55,8 @@ BUMP_LANE_LOOP void divide_narrow(const std::int64_t* __restrict a, const std::i
     const double divisor = double_of_narrow(b[i]);
     const double nearest = (dividend / divisor + two_to_52) - two_to_52;
     const double quotient = dividend - nearest * divisor < 0 ? nearest - 1.0 : nearest;  // the product is an integer below 2^53: exact
-    const std::int64_t all = b[i] == 0 ? -1 : 0;
-    const std::int64_t word = (bits_from_double(quotient + two_to_52) | all) & mask;
+    const double bounded = quotient < highest ? quotient : highest;                      // also by 0: infinite, or not a number
+    const std::int64_t word = bits_from_double(bounded + two_to_52) - bits_of_two_to_52;
     out[i] = (word ^ sign) - sign;
   }
 }
@@ -181,8 +181,7 @@ BUMP_LANE_LOOP void multiply(ConstWords a, ConstWords b, RoundingRule rule, Word
 
 void divide(ConstWords a, ConstWords b, DividerShape shape, bool narrow, Words out, int lanes) {
   if (narrow)
-    return divide_narrow(a, b, std::max(0, shape.shift), std::clamp(-shape.shift, 0, 63), (std::int64_t{1} << shape.magnitude) - 1, out,
-                         lanes);
+    return divide_narrow(a, b, std::max(0, shape.shift), std::clamp(-shape.shift, 0, 63), std::ldexp(1.0, shape.magnitude) - 1, out, lanes);
   for (int i = 0; i < lanes; ++i) out[i] = bump::divide(a[i], b[i], shape);
 }
 

@@ -82,15 +82,15 @@ BUMP_LANE_LOOP void multiply_wide(const std::int32_t* __restrict a, const std::i
   }
 }
 
-BUMP_LANE_LOOP void divide_by_doubles(const std::int32_t* __restrict a, const std::int32_t* __restrict b, double scale, std::int32_t mask,
+BUMP_LANE_LOOP void divide_by_doubles(const std::int32_t* __restrict a, const std::int32_t* __restrict b, double scale, double highest,
                                       std::int32_t* __restrict out, int lanes) {
   for (int i = 0; i < lanes; ++i) {
     const double dividend = std::fabs(static_cast<double>(a[i])) * scale, divisor = static_cast<double>(b[i]);
     const double nearest = (dividend / divisor + two_to_52) - two_to_52;
     const double quotient = dividend - nearest * divisor < 0 ? nearest - 1.0 : nearest;  // the product is an integer below 2^53: exact
-    const auto low =
-        static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits_from_double(quotient + two_to_52))));
-    const std::int32_t word = (low | (b[i] == 0 ? -1 : 0)) & mask;
+    const double bounded = quotient < highest ? quotient : highest;                      // also by 0: infinite, or not a number
+    const auto word =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(bits_from_double(bounded + two_to_52))));
     const std::int32_t sign = a[i] >> 31;
     out[i] = (word ^ sign) - sign;
   }
@@ -167,8 +167,7 @@ void multiply(ConstNarrowWords a, ConstNarrowWords b, int wide_right, NarrowRule
 }
 
 void divide(ConstNarrowWords a, ConstNarrowWords b, DividerShape shape, NarrowWords out, int lanes) {
-  const auto mask = static_cast<std::int32_t>((std::int64_t{1} << shape.magnitude) - 1);
-  divide_by_doubles(a, b, std::ldexp(1.0, shape.shift), mask, out, lanes);
+  divide_by_doubles(a, b, std::ldexp(1.0, shape.shift), std::ldexp(1.0, shape.magnitude) - 1, out, lanes);
 }
 
 void root(ConstNarrowWords a, RootShape shape, NarrowWords out, int lanes) {

@@ -9,8 +9,8 @@
 //   add, sub    exact sum, then the rounding rule of format.h
 //   add_sub     an adder whose second summand a flag inverts: a - b if the flag is set, else a + b, then the rounding rule
 //   mul         exact product, then the rounding rule
-//   div         sign-magnitude restoring division: floor(|a| 2^s / b) in `width` magnitude bits, sign of a; b unsigned.
-//               s makes the quotient's fraction. The low magnitude bits are kept; b = 0 gives all ones (of the magnitude)
+//   div         sign-magnitude restoring division: floor(|a| 2^s / b) in the magnitude bits of the result, sign of a; b unsigned. s makes
+//               the quotient's fraction. A quotient that needs more bits, and any by b = 0, gives all ones (of the magnitude)
 //   sqrt        floor(sqrt(a)) of an unsigned word, to the result's fraction
 //   table       turns an index, of a map several, into a ROM address; `column` nodes are its outputs. A ROM may be read by a second port
 //   join        wiring: the sum of two words whose bits do not overlap, the second unsigned and below the first

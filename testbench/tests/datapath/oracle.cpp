@@ -117,7 +117,7 @@ std::int64_t oracle_divide(std::int64_t a, const Format& fa, std::int64_t b, con
     quotient = 0;  // the largest number whose product does not exceed the dividend, bit by bit from the top
     for (int bit = 63; bit >= 0; --bit)
       if ((quotient + power(bit)) * b <= dividend) quotient += power(bit);
-    quotient %= power(magnitude);
+    quotient = std::min(quotient, power(magnitude) - 1);
   }
   return static_cast<std::int64_t>(a < 0 ? -quotient : quotient);
 }
