@@ -18,21 +18,9 @@ void declare_fifo(Parameters& p, int from, int to) {
   p.integer("fifos." + fifo_name(from, to), 0, 0, 1 << 20, "tokens", "slots of this FIFO; 0 means fifos.depth").timing_only = true;
 }
 
-OperatorLatencies operator_latencies(const Configuration& c) {
-  OperatorLatencies latencies;
-  latencies.adder = static_cast<int>(c.integer("datapath.latency.adder"));
-  latencies.multiplier = static_cast<int>(c.integer("datapath.latency.multiplier"));
-  latencies.table = static_cast<int>(c.integer("datapath.latency.table"));
-  latencies.clamp = static_cast<int>(c.integer("datapath.latency.clamp"));
-  latencies.shifter = static_cast<int>(c.integer("datapath.latency.shifter"));
-  latencies.divider_bits_per_cycle = static_cast<int>(c.integer("datapath.latency.divider_bits_per_cycle"));
-  latencies.square_root_bits_per_cycle = static_cast<int>(c.integer("datapath.latency.square_root_bits_per_cycle"));
-  return latencies;
-}
-
 /// A unit that runs its netlist `passes` times, one execution after another.
 Cycle serial_latency(const Schedule& schedule, int passes) {
-  return schedule.latency + Cycle{passes - 1} * schedule.initiation_interval;
+  return schedule.unit_latency() + Cycle{passes - 1} * schedule.initiation_interval;
 }
 
 /// The port whose parameters begin with `name`; `address_latency` cycles pass before the look-up that asks it.
@@ -47,6 +35,18 @@ MemorySpec memory_port(const std::string& name, Cycle address_latency, const Con
 }
 
 }  // namespace
+
+OperatorLatencies operator_latencies(const Configuration& c) {
+  OperatorLatencies latencies;
+  latencies.adder = static_cast<int>(c.integer("datapath.latency.adder"));
+  latencies.multiplier = static_cast<int>(c.integer("datapath.latency.multiplier"));
+  latencies.table = static_cast<int>(c.integer("datapath.latency.table"));
+  latencies.clamp = static_cast<int>(c.integer("datapath.latency.clamp"));
+  latencies.shifter = static_cast<int>(c.integer("datapath.latency.shifter"));
+  latencies.divider_bits_per_cycle = static_cast<int>(c.integer("datapath.latency.divider_bits_per_cycle"));
+  latencies.square_root_bits_per_cycle = static_cast<int>(c.integer("datapath.latency.square_root_bits_per_cycle"));
+  return latencies;
+}
 
 const char* stage_name(int index) {
   return names[static_cast<std::size_t>(index)];
@@ -112,12 +112,12 @@ PipelineTiming make_pipeline_timing(const DatapathSchedules& s, int passes, cons
   latency[stage::interpolators] = c.integer("interpolators.latency") + (converts ? serial_latency(s.conversion, passes) : 0);
   latency[stage::texture_fetch] = c.integer("texture_fetch.latency");
   latency[stage::environment] = serial_latency(s.environment, passes);
-  latency[stage::light_map_fetch] = s.light_map_address.latency + c.integer("light_map_fetch.latency");
+  latency[stage::light_map_fetch] = s.light_map_address.unit_latency() + c.integer("light_map_fetch.latency");
   latency[stage::illumination] = serial_latency(s.illumination, passes) + s.colour.latency;
   latency[stage::frame_sink] = c.integer("frame_sink.latency");
 
   timing.graph.memories.push_back(memory_port("memory", 0, c));
-  if (has_light_maps) timing.graph.memories.push_back(memory_port("light_memory", s.light_map_address.latency, c));
+  if (has_light_maps) timing.graph.memories.push_back(memory_port("light_memory", s.light_map_address.unit_latency(), c));
 
   int before = -1;
   for (int i = 0; i < stage::count; ++i) {

@@ -142,8 +142,8 @@ TEST_CASE("a request for a light map leaves when its address is known") {
     const PipelineTiming timing = plan(design, configuration, 1);
     const Schedule& address = timing.schedules.light_map_address;
     CHECK(address.latency > 4);
-    CHECK(timing.at(stage::light_map_fetch).latency == address.latency + 5);
-    CHECK(timing.graph.memories[1].tag_latency == address.latency + 3);
+    CHECK(timing.at(stage::light_map_fetch).latency == address.unit_latency() + 5);
+    CHECK(timing.graph.memories[1].tag_latency == address.unit_latency() + 3);
     CHECK(timing.graph.memories[0].tag_latency == 1);
     CHECK(timing.interval[stage::light_map_fetch] == (multipliers == 1 ? 2 : 1));
   }
