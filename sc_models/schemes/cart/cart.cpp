@@ -44,11 +44,12 @@ class Cart : public Scheme {
              "where the tangent points: along parallels or meridians of the z axis (normal = angles)");
     p.choice("cart.texel", "vector", {"vector", "angles"}, "bump texel: a vector, or longitude and latitude about y (normal = angles)");
     p.choice("cart.map_filter", "linear", {"linear", "nearest"}, "bump texel: filtered channel by channel, or the nearest");
-    p.integer("cart.angle_bits", 12, 6, 16, "bits", "bits of a full turn in the interpolated angles of N");
-    p.integer("cart.texel_bits", 8, 4, 14, "bits", "bits of a component of a bump texel, or of an angle for half a turn");
-    p.integer("cart.table_bits", 10, 4, 12, "bits", "address bits of sine and cosine tables, for a quarter turn");
-    p.integer("cart.word_bits", 12, 6, 18, "bits", "bits of a table word and of a vector component");
-    p.integer("cart.light_table_bits", 10, 6, 12, "bits", "address bits of the diffuse and specular tables");
+    p.integer("cart.angle_bits", 12, 5, 16, "bits", "bits of a full turn in the interpolated angles of N");
+    p.integer("cart.texel_bits", 8, 3, 14, "bits", "bits of a component of a bump texel, or of an angle for half a turn");
+    p.integer("cart.table_bits", 10, 3, 12, "bits", "address bits of sine and cosine tables, for a quarter turn");
+    p.integer("cart.word_bits", 12, 4, 18, "bits", "bits of a table word and of a vector component");
+    p.integer("cart.light_table_bits", 10, 3, 12, "bits", "address bits of the diffuse and specular tables");
+    p.integer("cart.light_word_bits", 16, 4, 16, "bits", "bits of a word of the diffuse and specular tables");
     p.integer("cart.ports", 1, 1, 2, "ports", "of a sine and cosine ROM: one index a cycle, or two, which halves the ROMs");
   }
 
@@ -82,6 +83,7 @@ class Cart : public Scheme {
     p.table_bits = integer("table_bits");
     p.word_bits = integer("word_bits");
     p.light_table_bits = integer("light_table_bits");
+    p.light_word_bits = integer("light_word_bits");
     p.ports = integer("ports");
     return p;
   }

@@ -39,10 +39,12 @@ Netlist vector_illumination_unit(const CartesianWidths& widths, const Material& 
     return clamp_dot(n, name + "_lit", dot_product(n, name, normal, v, product, product, "Eq 2 of Lee 2007"), fraction);
   };
   const Wire n_l = clamped_dot("N_L", light), n_h = clamped_dot("N_H", half);
+  const Format word = light_format(widths.light_word_bits);
   // kd is a register that the material sets; its value is no part of the structure.
-  const Wire diffuse = n.mul("diffuse", n_l, n.constant("kd", material.diffuse, light_format()), light_format());
-  const Wire specular = n.table("SPEC", specular_table(clamped_dot_format(fraction), widths.light_table_bits, material), n_h).front();
-  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format()));
+  const Wire diffuse = n.mul("diffuse", n_l, n.constant("kd", material.diffuse, word), word);
+  const Wire specular =
+      n.table("SPEC", specular_table(clamped_dot_format(fraction), widths.light_table_bits, material, widths.light_word_bits), n_h).front();
+  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(widths.light_word_bits)));
   return n;
 }
 

@@ -14,6 +14,7 @@ namespace bump {
 struct CartesianWidths {
   int word_bits = 12;         ///< bits of a vector component, sign included
   int light_table_bits = 10;  ///< address bits of the power table
+  int light_word_bits = 16;   ///< bits of an intensity
   bool divider = true;        ///< normalisers: square root and dividers, or a table of reciprocal roots
   int root_table_bits = 10;   ///< address bits of the reciprocal root table
 
@@ -28,7 +29,7 @@ struct CartesianWidths {
   int product_fraction() const { return word_bits - 1 + guard_bits; }
 };
 
-/// Keys "id.word_bits" and "id.light_table_bits".
+/// Keys "id.word_bits", "id.light_table_bits" and "id.light_word_bits".
 void declare_widths(Parameters& parameters, const std::string& id);
 CartesianWidths read_widths(const Configuration& configuration, const std::string& id);
 

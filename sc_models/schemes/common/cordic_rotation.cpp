@@ -37,8 +37,10 @@ CordicPolar turn_onto_axis(Netlist& n, Wire x, Wire y, Wire angle, int first, bo
     const bool last = i + 1 == w.stages;
     const Wire below = n.is_negative(indexed("below", i), y), above = n.exclusive_or(indexed("above", i), below, one);
     angle = n.add_sub(indexed("angle", i + 1), below, angle, stage_angle(n, i, w), w.angle);
-    const Wire turned_x =
-        last && !with_length ? x : n.add_sub(indexed("x", i + 1), below, x, down(n, indexed("y_down", i), y, i, w), w.component);
+    // x is read by the y of the next stage but the last, and by who asks for the length.
+    const Wire turned_x = i + 2 >= w.stages && !with_length
+                              ? x
+                              : n.add_sub(indexed("x", i + 1), below, x, down(n, indexed("y_down", i), y, i, w), w.component);
     if (!last) y = n.add_sub(indexed("y", i + 1), above, y, down(n, indexed("x_down", i), x, i, w), w.component);
     x = turned_x;
   }

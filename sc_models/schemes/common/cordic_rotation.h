@@ -39,7 +39,7 @@ struct CordicPolar {
 
 /// start + atan2(y, x), and the length of (x, y) times the gain: 3 n - 1 adders.
 CordicPolar cordic_polar(Netlist& netlist, const std::string& name, Wire x, Wire y, Wire start, const CordicWidths& widths);
-/// atan2(y, x) of y >= 0, within half a turn: 3 n - 3 adders, as the first stage always turns back.
+/// atan2(y, x) of y >= 0, within half a turn: 3 n - 4 adders, as the first stage always turns back.
 Wire cordic_angle(Netlist& netlist, const std::string& name, Wire x, Wire y, const CordicWidths& widths);
 
 }  // namespace bump

@@ -44,9 +44,9 @@ Netlist law_of_cosines_unit(const LawOfCosines& f, const PolarSettings& p, const
   const Wire n_l = clamped_dot("N_L", light_phi, light_theta, "Eq 24");
   const Wire n_h = clamped_dot("N_H", half_phi, half_theta, "Eq 25");
   const Format index = clamped_dot_format(f.word_bits);
-  const Wire diffuse = n.table("DIFF", diffuse_table(index, f.light_table_bits, material), n_l, "Eq 2").front();
-  const Wire specular = n.table("SPEC", specular_table(index, f.light_table_bits, material), n_h, "Eq 2").front();
-  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(), "Eq 2"));
+  const Wire diffuse = n.table("DIFF", diffuse_table(index, f.light_table_bits, material, f.light_word_bits), n_l, "Eq 2").front();
+  const Wire specular = n.table("SPEC", specular_table(index, f.light_table_bits, material, f.light_word_bits), n_h, "Eq 2").front();
+  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(f.light_word_bits), "Eq 2"));
   return n;
 }
 

@@ -15,7 +15,7 @@ namespace bump {
 
 struct LawOfCosines {
   int form = 11;  ///< adders: 11 or 13
-  int word_bits = 16, table_bits = 8, light_table_bits = 10;
+  int word_bits = 16, table_bits = 8, light_table_bits = 10, light_word_bits = 16;
   /// Angles inside the datapath: a table word resolves a quarter turn.
   Format inner_angle() const { return turns(word_bits + 2); }
 };

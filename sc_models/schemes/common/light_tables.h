@@ -10,23 +10,27 @@
 
 namespace bump {
 
-/// Format of the words and of everything behind them: 16 bits, 0 to just under 2.
-Format light_format();
+constexpr int default_light_word_bits = 16;
+/// Format of the words and of everything behind them: 0 to just under 2.
+Format light_format(int word_bits = default_light_word_bits);
 /// Sum of a diffuse and a specular word.
-Format intensity_format();
+Format intensity_format(int word_bits = default_light_word_bits);
 /// Format of a clamped dot product: `fraction` bits, 0 to just under 1.
 Format clamped_dot_format(int fraction);
 
 /// kd * x, 0 <= x <= 1.
-TablePtr diffuse_table(const Format& index, int address_bits, const Material& material);
+TablePtr diffuse_table(const Format& index, int address_bits, const Material& material, int word_bits = default_light_word_bits);
 /// ks * x^n, 0 <= x <= 1; 0 at x = 0.
-TablePtr specular_table(const Format& index, int address_bits, const Material& material);
+TablePtr specular_table(const Format& index, int address_bits, const Material& material, int word_bits = default_light_word_bits);
 
 /// Largest change of diffuse plus specular intensity with an angle, per radian: kd + 0.61 ks sqrt(n), the slope of cos and of cos^n at
 /// their steepest.
 double angular_slope(const Material& material);
 /// Largest error of both light tables by taking an entry for its neighbourhood: half an address step times kd + ks n.
 double light_table_error(const Material& material, int address_bits);
+
+/// A floor in dB lowered by words of fewer bits than the default's, which leaves it as it is; at least 3.
+double light_word_floor_db(double floor_db, int word_bits);
 
 /// max(0, dot): a clamp, no adder.
 Wire clamp_dot(Netlist& netlist, const std::string& name, Wire dot, int fraction);

@@ -29,6 +29,10 @@ Format log_format(const LogWidths& widths, int whole) {
   return ufixed(whole + widths.log_bits, widths.log_bits);
 }
 
+void declare_log_whole_bits(Parameters& p, const std::string& id) {
+  p.integer(id + ".log_whole_bits", log_whole_bits, 2, 4, "bits", "bits of a factor's logarithm before the point");
+}
+
 TablePtr log_sine_cosine_table(const std::string& name, const LogWidths& widths) {
   Table table;
   table.name = name;
@@ -39,7 +43,7 @@ TablePtr log_sine_cosine_table(const std::string& name, const LogWidths& widths)
   Column sine;
   sine.name = "sin";
   sine.function = [](double turns) { return negative_log2(std::sin(two_pi * turns)); };
-  sine.format = log_format(widths, log_whole_bits);
+  sine.format = log_format(widths, widths.whole_bits);
   Column cosine = sine;
   cosine.name = "cos";
   cosine.function = [](double turns) { return negative_log2(std::cos(two_pi * turns)); };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "channels/parameters.h"
 #include "schemes/common/rom_ports.h"
 
 namespace bump {
@@ -18,6 +19,7 @@ struct LogWidths {
   int log_bits = 12;      ///< f: fraction bits of a logarithm
   int antilog_bits = 10;  ///< m: address bits of the antilogarithm's table, for a fraction in [0, 1)
   int word_bits = 12;     ///< w: bits of its words
+  int whole_bits = 4;     ///< W: bits before the point of a table's logarithm: factors below 2^-2^W count as that
   int ports = 1;          ///< of a ROM: 1 or 2
 };
 
@@ -57,7 +59,10 @@ class LogReads {
 
 /// Format of a logarithm with `whole` bits before the point.
 Format log_format(const LogWidths& widths, int whole);
-constexpr int log_whole_bits = 4;  ///< of a table's word: factors below 2^-16 count as 0
+constexpr int log_whole_bits = 4;  ///< of a table's word, if not chosen: factors below 2^-16 count as 0
+
+/// Declares "<id>.log_whole_bits", 2 to 4.
+void declare_log_whole_bits(Parameters& parameters, const std::string& id);
 
 /// -log2 |sin|, -log2 |cos| of a full-turn angle, folded to a quarter turn.
 TablePtr log_sine_cosine_table(const std::string& name, const LogWidths& widths);

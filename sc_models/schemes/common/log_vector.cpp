@@ -12,8 +12,8 @@ void output_log_vector(Netlist& n, const std::string& name, const PolarDirection
 }
 
 LogVector input_log_vector(Netlist& n, const std::string& name, const LogWidths& widths) {
-  const LogValue G = input_log(n, name + ".G", widths, log_product_bits), K = input_log(n, name + ".K", widths, log_product_bits);
-  return {G, K, input_log(n, name + ".z", widths, log_whole_bits)};
+  const LogValue G = input_log(n, name + ".G", widths, widths.whole_bits + 1), K = input_log(n, name + ".K", widths, widths.whole_bits + 1);
+  return {G, K, input_log(n, name + ".z", widths, widths.whole_bits)};
 }
 
 }  // namespace bump

@@ -11,8 +11,6 @@
 
 namespace bump {
 
-constexpr int log_product_bits = log_whole_bits + 1;  ///< before the point, of two factors
-
 struct LogVector {
   LogValue G, K, z;
 };

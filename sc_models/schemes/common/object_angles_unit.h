@@ -14,7 +14,7 @@ namespace bump {
 struct ObjectAnglesParameters : YPoleParameters {
   int form = 11;  ///< adders of the illumination unit, as in law_of_cosines.h
 
-  LawOfCosines illumination() const { return {form, word_bits, table_bits, light_table_bits}; }
+  LawOfCosines illumination() const { return {form, word_bits, table_bits, light_table_bits, light_word_bits}; }
   Format inner_angle() const { return illumination().inner_angle(); }
 };
 

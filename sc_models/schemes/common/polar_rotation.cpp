@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "schemes/common/light_tables.h"
 #include "schemes/common/polar_error.h"
 #include "schemes/common/polar_map.h"
 #include "schemes/common/polar_vectors.h"
@@ -15,10 +16,11 @@ void declare_rotation_parameters(Parameters& p, const std::string& id) {
   declare_polar_settings(p, id, defaults);
   declare_in_plane_settings(p, id);
   p.choice(id + ".form", "11", {"11", "13"}, "adders of the illumination unit: 11 as in Table 1 of Lee 2007, 13 as in its section 5.2");
-  p.integer(id + ".table_bits", defaults.table_bits, 4, 12, "bits", "address bits of sine and cosine tables, for a quarter turn");
-  p.integer(id + ".inverse_table_bits", 10, 6, 14, "bits", "address bits of arc cosine, arc tangent, reciprocal tables");
-  p.integer(id + ".word_bits", defaults.word_bits, 10, 18, "bits", "bits of a table word");
-  p.integer(id + ".light_table_bits", defaults.light_table_bits, 6, 12, "bits", "address bits of the diffuse and specular tables");
+  p.integer(id + ".table_bits", defaults.table_bits, 3, 12, "bits", "address bits of sine and cosine tables, for a quarter turn");
+  p.integer(id + ".inverse_table_bits", 10, 4, 14, "bits", "address bits of arc cosine, arc tangent, reciprocal tables");
+  p.integer(id + ".word_bits", defaults.word_bits, 4, 18, "bits", "bits of a table word");
+  p.integer(id + ".light_table_bits", defaults.light_table_bits, 3, 12, "bits", "address bits of the diffuse and specular tables");
+  p.integer(id + ".light_word_bits", 16, 4, 16, "bits", "bits of a word of the light tables, one before the point");
 }
 
 RotationParameters read_rotation_parameters(const Configuration& c, const std::string& id) {
@@ -30,6 +32,7 @@ RotationParameters read_rotation_parameters(const Configuration& c, const std::s
   p.inverse_table_bits = static_cast<int>(c.integer(id + ".inverse_table_bits"));
   p.word_bits = static_cast<int>(c.integer(id + ".word_bits"));
   p.light_table_bits = static_cast<int>(c.integer(id + ".light_table_bits"));
+  p.light_word_bits = static_cast<int>(c.integer(id + ".light_word_bits"));
   return p;
 }
 
@@ -62,7 +65,8 @@ Design rotation_design(const RotationParameters& p, Netlist environment, const M
   design.directions = {{Of::light, DeliveredDirection::Frame::polar, {"L_ref.phi", "L_ref.theta"}},
                        {Of::half, DeliveredDirection::Frame::polar, {"H_ref.phi", "H_ref.theta"}}};
   // A reciprocal's word spends 8 of word_bits + 4 bits on its integer part.
-  design.quantisation_floor_db = polar_floor_db(p, {p.table_bits, p.word_bits, 4, p.light_table_bits}, material);
+  design.quantisation_floor_db =
+      light_word_floor_db(polar_floor_db(p, {p.table_bits, p.word_bits, 4, p.light_table_bits}, material), p.light_word_bits);
   return design;
 }
 

@@ -18,12 +18,13 @@ struct RotationParameters : PolarSettings {
   int table_bits = 10;        ///< k: address bits of a quarter turn of sine and cosine
   int word_bits = 12;         ///< w: bits of a table word
   int light_table_bits = 10;  ///< address bits of the light tables
+  int light_word_bits = 16;   ///< bits of an intensity
 
-  LawOfCosines illumination() const { return {form, word_bits, table_bits, light_table_bits}; }
+  LawOfCosines illumination() const { return {form, word_bits, table_bits, light_table_bits, light_word_bits}; }
   Format inner_angle() const { return illumination().inner_angle(); }
 };
 
-/// Declares "<id>.form", ".table_bits", ".inverse_table_bits", ".word_bits", ".light_table_bits" and what polar_settings.h declares.
+/// Declares "<id>.form", ".table_bits", ".inverse_table_bits", ".word_bits", ".light_table_bits", ".light_word_bits" and what polar_settings.h declares.
 void declare_rotation_parameters(Parameters& parameters, const std::string& id);
 RotationParameters read_rotation_parameters(const Configuration& configuration, const std::string& id);
 

@@ -3,10 +3,10 @@
 namespace bump {
 
 void declare_polar_settings(Parameters& p, const std::string& id, const PolarSettings& defaults) {
-  p.integer(id + ".angle_bits", defaults.angle_bits, 6, 16, "bits", "bits of a full turn in the interpolated angles");
-  p.integer(id + ".texel_phi_bits", defaults.texel_phi_bits, 4, 12, "bits", "bits of phi in a bump texel, for a full turn");
-  p.integer(id + ".texel_theta_bits", defaults.texel_theta_bits, 4, 12, "bits", "bits of theta in a bump texel, for a quarter turn");
-  p.integer(id + ".texel_vector_bits", defaults.texel_vector_bits, 4, 16, "bits",
+  p.integer(id + ".angle_bits", defaults.angle_bits, 5, 16, "bits", "bits of a full turn in the interpolated angles");
+  p.integer(id + ".texel_phi_bits", defaults.texel_phi_bits, 3, 12, "bits", "bits of phi in a bump texel, for a full turn");
+  p.integer(id + ".texel_theta_bits", defaults.texel_theta_bits, 3, 12, "bits", "bits of theta in a bump texel, for a quarter turn");
+  p.integer(id + ".texel_vector_bits", defaults.texel_vector_bits, 3, 16, "bits",
             "bits of a component of a bump texel (map_filter = vector)");
   p.choice(id + ".map_filter", "nearest", {"nearest", "linear", "vector"},
            "bump texel: nearest, or filtered as two angles (phi is undefined on flat texels), or a vector that is filtered and then "

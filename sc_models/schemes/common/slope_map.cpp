@@ -6,7 +6,7 @@
 namespace bump {
 
 void declare_slopes(Parameters& p, const std::string& id) {
-  p.integer(id + ".slope_bits", 12, 6, 16, "bits", "bits of a slope of the map, sign included");
+  p.integer(id + ".slope_bits", 12, 3, 16, "bits", "bits of a slope of the map, sign included");
   p.integer(id + ".slope_integer_bits", 3, 0, 4, "bits",
             "integer bits of a slope: steeper texels are stored at 2^this, in their direction");
 }

@@ -77,4 +77,15 @@ TablePtr cosine_half_squared_table(const std::string& name, const Format& index,
   return std::make_shared<const Table>(table);
 }
 
+TablePtr haversine_table(const std::string& name, const Format& index, int address_bits, int word_bits) {
+  Table table = quarter_table(name, "(1 - cos 2 pi x) / 2", index, address_bits);
+  table.folding = Folding::magnitude;
+  Column column;
+  column.name = "value";
+  column.function = [](double turns) { return 0.5 - 0.5 * std::cos(two_pi * turns); };
+  column.format = ufixed(word_bits, word_bits);
+  table.columns = {column};
+  return std::make_shared<const Table>(table);
+}
+
 }  // namespace bump

@@ -15,6 +15,8 @@ TablePtr sine_table(const std::string& name, const Format& index, int address_bi
 TablePtr cosine_table(const std::string& name, const Format& index, int address_bits, int word_bits);
 /// cos^2 of half the angle, (1 + cos)/2, of `word_bits` bits in [0, 1), over a half turn folded about 0.
 TablePtr cosine_half_squared_table(const std::string& name, const Format& index, int address_bits, int word_bits);
+/// (1 - cos)/2, of `word_bits` bits in [0, 1), over a half turn folded about 0.
+TablePtr haversine_table(const std::string& name, const Format& index, int address_bits, int word_bits);
 /// What is read from them: a sign and `word_bits` fraction bits.
 Format sine_format(int word_bits);
 

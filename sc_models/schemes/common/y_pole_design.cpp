@@ -15,9 +15,10 @@ void declare_y_pole_parameters(Parameters& p, const std::string& id, TexelAs tex
 
 void declare_sum_widths(Parameters& p, const std::string& id) {
   const YPoleParameters defaults;
-  p.integer(id + ".table_bits", defaults.table_bits, 4, 12, "bits", "address bits of sine and cosine tables, for a quarter turn");
-  p.integer(id + ".word_bits", defaults.word_bits, 6, 18, "bits", "bits of a table word");
-  p.integer(id + ".light_table_bits", defaults.light_table_bits, 6, 12, "bits", "address bits of the diffuse and specular tables");
+  p.integer(id + ".table_bits", defaults.table_bits, 3, 12, "bits", "address bits of sine and cosine tables, for a quarter turn");
+  p.integer(id + ".word_bits", defaults.word_bits, 4, 18, "bits", "bits of a table word");
+  p.integer(id + ".light_table_bits", defaults.light_table_bits, 3, 12, "bits", "address bits of the diffuse and specular tables");
+  p.integer(id + ".light_word_bits", defaults.light_word_bits, 4, 16, "bits", "bits of a word of the diffuse and specular tables");
   p.integer(id + ".ports", defaults.ports, 1, 2, "ports",
             "of a sine or cosine ROM: one index a cycle, or two, which halves the ROMs and changes no result");
 }
@@ -28,6 +29,7 @@ YPoleParameters read_y_pole_parameters(const Configuration& c, const std::string
   p.table_bits = static_cast<int>(c.integer(id + ".table_bits"));
   p.word_bits = static_cast<int>(c.integer(id + ".word_bits"));
   p.light_table_bits = static_cast<int>(c.integer(id + ".light_table_bits"));
+  p.light_word_bits = static_cast<int>(c.integer(id + ".light_word_bits"));
   p.ports = static_cast<int>(c.integer(id + ".ports"));
   return p;
 }
@@ -61,10 +63,12 @@ Netlist projected_illumination_unit(const YPoleParameters& p, const NormalFormat
 void output_intensity(Netlist& n, Wire n_l, Wire n_h, const YPoleParameters& p, const Material& material) {
   const int fraction = n.format(n_l).fraction;
   const Format index = clamped_dot_format(fraction);
-  const Wire diffuse = n.table("DIFF", diffuse_table(index, p.light_table_bits, material), clamp_dot(n, "N_L.lit", n_l, fraction)).front();
-  const Wire specular =
-      n.table("SPEC", specular_table(index, p.light_table_bits, material), clamp_dot(n, "N_H.lit", n_h, fraction)).front();
-  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(), "Lee Eq 2"));
+  const auto light = [&](const char* name, const TablePtr& table, const char* clamped, Wire dot) {
+    return n.table(name, table, clamp_dot(n, clamped, dot, fraction)).front();
+  };
+  const Wire diffuse = light("DIFF", diffuse_table(index, p.light_table_bits, material, p.light_word_bits), "N_L.lit", n_l);
+  const Wire specular = light("SPEC", specular_table(index, p.light_table_bits, material, p.light_word_bits), "N_H.lit", n_h);
+  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(p.light_word_bits), "Lee Eq 2"));
 }
 
 double y_pole_floor_db(const YPoleParameters& p, const Material& material) {
@@ -74,7 +78,7 @@ double y_pole_floor_db(const YPoleParameters& p, const Material& material) {
   // As a texel of the same steps on the z pole: phi of a whole turn, theta of a quarter.
   polar.texel_phi_bits = p.texel_psi_bits + 1;
   polar.texel_theta_bits = p.texel_latitude_bits - 1;
-  return polar_floor_db(polar, {p.table_bits, p.word_bits, 0, p.light_table_bits}, material);
+  return light_word_floor_db(polar_floor_db(polar, {p.table_bits, p.word_bits, 0, p.light_table_bits}, material), p.light_word_bits);
 }
 
 Design y_pole_design(const YPoleParameters& p, Netlist environment, Netlist illumination, const Material& material) {

@@ -16,6 +16,7 @@ struct YPoleParameters : YPoleSettings {
   int table_bits = 10;        ///< k: address bits of a quarter turn of sine and cosine
   int word_bits = 12;         ///< w: bits of a table word
   int light_table_bits = 10;  ///< address bits of the light tables
+  int light_word_bits = 16;   ///< of their words, one before the point
   int ports = 1;              ///< of a sine or cosine ROM
 
   SumWidths sums() const { return {input_angle(), table_bits, word_bits, ports}; }
@@ -28,7 +29,7 @@ struct YPoleParameters : YPoleSettings {
   Format product() const { return sfixed(product_fraction() + 2, product_fraction()); }
 };
 
-/// Declares "<id>.table_bits", ".word_bits", ".light_table_bits", ".ports".
+/// Declares "<id>.table_bits", ".word_bits", ".light_table_bits", ".light_word_bits", ".ports".
 void declare_sum_widths(Parameters& parameters, const std::string& id);
 /// The same and what y_pole_map.h declares.
 void declare_y_pole_parameters(Parameters& parameters, const std::string& id, TexelAs texel = TexelAs::angles);

@@ -81,15 +81,15 @@ PolarSettings YPoleSettings::polar() const {
 
 void declare_y_pole_settings(Parameters& p, const std::string& id, TexelAs texel) {
   const YPoleSettings defaults;
-  p.integer(id + ".angle_bits", defaults.angle_bits, 6, 16, "bits", "bits of a full turn in the interpolated angles");
-  p.integer(id + ".inverse_table_bits", defaults.inverse_table_bits, 6, 14, "bits",
+  p.integer(id + ".angle_bits", defaults.angle_bits, 5, 16, "bits", "bits of a full turn in the interpolated angles");
+  p.integer(id + ".inverse_table_bits", defaults.inverse_table_bits, 4, 14, "bits",
             "address bits of inverse functions: angles formed per pixel, a texel turned per pixel, and the scheme's own");
   if (texel == TexelAs::angles) {
-    p.integer(id + ".texel_psi_bits", defaults.texel_psi_bits, 4, 14, "bits", "bits of the longitude in a bump texel, for half a turn");
-    p.integer(id + ".texel_latitude_bits", defaults.texel_latitude_bits, 4, 14, "bits",
+    p.integer(id + ".texel_psi_bits", defaults.texel_psi_bits, 3, 14, "bits", "bits of the longitude in a bump texel, for half a turn");
+    p.integer(id + ".texel_latitude_bits", defaults.texel_latitude_bits, 3, 14, "bits",
               "bits of the latitude in a bump texel, for half a turn");
   } else {
-    p.integer(id + ".texel_bits", defaults.texel_bits, 4, 14, "bits", "bits of a component of a bump texel");
+    p.integer(id + ".texel_bits", defaults.texel_bits, 3, 14, "bits", "bits of a component of a bump texel");
   }
   p.choice(id + ".map_filter", "linear", {"linear", "nearest"}, "bump texel: filtered channel by channel, or the nearest");
   p.choice(id + ".angles", "vertex", {"vertex", "pixel"},

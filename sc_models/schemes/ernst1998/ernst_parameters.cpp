@@ -7,7 +7,7 @@ void declare_parameters(Parameters& p) {
            "per-pixel lighting as Lee 2007, Table 1, counts it, or a bump term blended onto Gouraud shading");
   declare_slopes(p, "ernst1998");
   declare_widths(p, "ernst1998");
-  p.integer("ernst1998.texel_bits", 8, 4, 16, "bits", "bits of a component of the map (variant = gouraud)");
+  p.integer("ernst1998.texel_bits", 8, 3, 16, "bits", "bits of a component of the map (variant = gouraud)");
 }
 
 ErnstParameters read_parameters(const Configuration& c) {

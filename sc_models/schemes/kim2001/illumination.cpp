@@ -71,9 +71,9 @@ Netlist illumination_unit(const KimParameters& p, const Material& material) {
     lit[i] = clamp_dot(n, "lit", products.dot(of_vector, of_normal, phi_difference, equation), fraction);
   }
   const Format index = clamped_dot_format(fraction);
-  const Wire diffuse = n.table("DIFF", diffuse_table(index, p.light_table_bits, material), lit[0], "Eq 2").front();
-  const Wire specular = n.table("SPEC", specular_table(index, p.light_table_bits, material), lit[1], "Eq 2").front();
-  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(), "Eq 2"));
+  const Wire diffuse = n.table("DIFF", diffuse_table(index, p.light_table_bits, material, p.light_word_bits), lit[0], "Eq 2").front();
+  const Wire specular = n.table("SPEC", specular_table(index, p.light_table_bits, material, p.light_word_bits), lit[1], "Eq 2").front();
+  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(p.light_word_bits), "Eq 2"));
   return n;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schemes/common/light_tables.h"
 #include "schemes/common/polar_error.h"
 #include "schemes/common/polar_map.h"
 #include "schemes/common/polar_vectors.h"
@@ -34,7 +35,8 @@ BumpEncoding map_of_changes(const KimParameters& p) {
 class Kim2001 : public Scheme {
  public:
   const SchemePage& page() const override {
-    static const SchemePage page{"kim2001", "Dot products of polar vectors",
+    static const SchemePage page{"kim2001",
+                                 "Dot products of polar vectors",
                                  "J. S. Kim, J. H. Lee, K. H. Park, Computers & Graphics 25(3), 2001, as Lee et al. 2007 compares it",
                                  "illumination as Lee 2007 gives it; environment a reconstruction of its operator counts",
                                  "N', L and H are polar angles, dot products of them cost 3 multipliers and 5 tables each. L and H are "
@@ -57,7 +59,8 @@ class Kim2001 : public Scheme {
     if (matrix)
       design.directions = {{Of::light, DeliveredDirection::Frame::tangent, {"L_ref.phi", "L_ref.theta"}},
                            {Of::half, DeliveredDirection::Frame::tangent, {"H_ref.phi", "H_ref.theta"}}};
-    design.quantisation_floor_db = polar_floor_db(p, {p.table_bits, p.word_bits, 0, p.light_table_bits}, material);
+    design.quantisation_floor_db =
+        light_word_floor_db(polar_floor_db(p, {p.table_bits, p.word_bits, 0, p.light_table_bits}, material), p.light_word_bits);
     return design;
   }
 };

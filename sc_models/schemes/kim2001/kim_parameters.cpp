@@ -16,10 +16,11 @@ void declare_parameters(Parameters& p) {
            "perturbed normal read once (7)");
   p.choice("kim2001.tangent", "phi", {"phi", "theta"},
            "transform = direct: the object's angle that grows along the map's x axis (phi: a map wrapped around the z axis)");
-  p.integer("kim2001.table_bits", defaults.table_bits, 4, 12, "bits", "address bits of sine and cosine tables, for a quarter turn");
-  p.integer("kim2001.inverse_table_bits", 10, 6, 14, "bits", "address bits of arc cosine and arc tangent tables");
-  p.integer("kim2001.word_bits", defaults.word_bits, 8, 18, "bits", "bits of a table word and of a component of T, B, N");
-  p.integer("kim2001.light_table_bits", defaults.light_table_bits, 6, 12, "bits", "address bits of the diffuse and specular tables");
+  p.integer("kim2001.table_bits", defaults.table_bits, 3, 12, "bits", "address bits of sine and cosine tables, for a quarter turn");
+  p.integer("kim2001.inverse_table_bits", 10, 4, 14, "bits", "address bits of arc cosine and arc tangent tables");
+  p.integer("kim2001.word_bits", defaults.word_bits, 4, 18, "bits", "bits of a table word and of a component of T, B, N");
+  p.integer("kim2001.light_table_bits", defaults.light_table_bits, 3, 12, "bits", "address bits of the diffuse and specular tables");
+  p.integer("kim2001.light_word_bits", 16, 4, 16, "bits", "bits of a word of the light tables, one before the point");
 }
 
 KimParameters read_parameters(const Configuration& c) {
@@ -34,6 +35,7 @@ KimParameters read_parameters(const Configuration& c) {
   p.inverse_table_bits = static_cast<int>(c.integer("kim2001.inverse_table_bits"));
   p.word_bits = static_cast<int>(c.integer("kim2001.word_bits"));
   p.light_table_bits = static_cast<int>(c.integer("kim2001.light_table_bits"));
+  p.light_word_bits = static_cast<int>(c.integer("kim2001.light_word_bits"));
   if (p.transform == Transform::direct && p.map_filter == MapFilter::vector)
     throw Error(ErrorKind::input, {"kim2001.transform = direct does not go with kim2001.map_filter = vector",
                                    {},

@@ -26,6 +26,7 @@ struct KimParameters : PolarSettings {
   int table_bits = 10;             ///< k: address bits of a quarter turn of sine and cosine
   int word_bits = 12;              ///< w: bits of a table word and of a component of T, B, N
   int light_table_bits = 10;       ///< address bits of the light tables
+  int light_word_bits = 16;        ///< bits of an intensity
 
   /// Angles inside the datapath: a table word resolves a quarter turn.
   Format inner_angle() const { return turns(word_bits + 2); }

@@ -13,10 +13,10 @@ void declare_parameters(Parameters& p) {
   p.number("kugler1998.strength", d.strength, 0, 3.9, "", "factor of the bumps' tilt");
   p.number("kugler1998.max_tilt", d.max_tilt, 5, 89, "degrees",
            "largest tilt of a bump: that of the last code; steeper texels are stored as this");
-  p.integer("kugler1998.angle_bits", d.angle_bits, 8, 16, "bits", "bits of a full turn in the angles between the tables");
-  p.integer("kugler1998.table_bits", d.table_bits, 7, 13, "bits", "address bits of the tables of one index");
-  p.integer("kugler1998.word_bits", d.word_bits, 8, 18, "bits", "fraction bits of sines, cosines and their products");
-  p.integer("kugler1998.texel_phi_bits", d.texel_phi_bits, 4, 12, "bits", "bits of phi in a bump texel, for a full turn");
+  p.integer("kugler1998.angle_bits", d.angle_bits, 6, 16, "bits", "bits of a full turn in the angles between the tables");
+  p.integer("kugler1998.table_bits", d.table_bits, 5, 13, "bits", "address bits of the tables of one index");
+  p.integer("kugler1998.word_bits", d.word_bits, 6, 18, "bits", "fraction bits of sines, cosines and their products");
+  p.integer("kugler1998.texel_phi_bits", d.texel_phi_bits, 3, 12, "bits", "bits of phi in a bump texel, for a full turn");
   p.integer("kugler1998.map_phi_bits", d.map_phi_bits, 3, 6, "bits", "address bits of phi_1 in the map of bumps, for half a turn");
   p.integer("kugler1998.map_theta_bits", d.map_theta_bits, 3, 7, "bits", "address bits of theta_N in the map of bumps, for a quarter turn");
   p.integer("kugler1998.map_tilt_bits", d.map_tilt_bits, 2, 5, "bits",

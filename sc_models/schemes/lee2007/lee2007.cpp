@@ -14,12 +14,14 @@ namespace {
 class Lee2007 : public Scheme {
  public:
   const SchemePage& page() const override {
-    static const SchemePage page{"lee2007", "Angular rotation and law-of-cosines illumination",
+    static const SchemePage page{"lee2007",
+                                 "Angular rotation and law-of-cosines illumination",
                                  "Lee et al., An Effective Bump Mapping Hardware Architecture Using Polar Coordinate System, 2007",
                                  "reconstruction from the equations, with the sign corrections that they need",
                                  "L and H are turned into the reference space by two rotations on polar angles, through tables and 3 "
                                  "multipliers a vector; dot products follow "
-                                 "from the law of cosines. The rotation is approximate: 16 degrees off on average and up to 60 for random vectors within 90 degrees of N; "
+                                 "from the law of cosines. The rotation is approximate: 16 degrees off on average and up to 60 for random "
+                                 "vectors within 90 degrees of N; "
                                  "angles interpolated across the polar axis add to that. The in-plane "
                                  "angle that general meshes need "
                                  "is an addition to the paper, one adder.",
@@ -34,7 +36,7 @@ class Lee2007 : public Scheme {
     Design design;
     record_polar_vectors(p, NormalAs::angles, design);
     design.environment = environment_unit(p);
-    design.illumination = law_of_cosines_unit({p.form, p.word_bits, p.table_bits, p.light_table_bits}, p, material);
+    design.illumination = law_of_cosines_unit({p.form, p.word_bits, p.table_bits, p.light_table_bits, p.light_word_bits}, p, material);
     design.map = polar_map(p);
     using Of = DeliveredDirection::Of;
     design.directions = {{Of::light, DeliveredDirection::Frame::polar, {"L_ref.phi", "L_ref.theta"}},

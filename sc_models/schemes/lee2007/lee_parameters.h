@@ -20,6 +20,7 @@ struct LeeParameters : PolarSettings {
   int table_bits = 8;          ///< k: address bits of a quarter turn of sine, cosine and reciprocal
   int word_bits = 16;          ///< w: bits of a table word
   int light_table_bits = 10;   ///< address bits of the light tables
+  int light_word_bits = 16;    ///< bits of an intensity
 
   /// Angles inside the datapath: a table word resolves a quarter turn.
   Format inner_angle() const { return turns(word_bits + 2); }

@@ -20,14 +20,16 @@ class Lns : public Scheme {
   void declare(Parameters& parameters) const override {
     const LnsParameters defaults;
     declare_y_pole_parameters(parameters, "lns");
-    parameters.integer("lns.log_bits", defaults.log_bits, 6, 18, "bits", "fraction bits of a logarithm");
-    parameters.integer("lns.antilog_table_bits", defaults.antilog_table_bits, 4, 14, "bits", "address bits of the antilogarithm's table");
+    parameters.integer("lns.log_bits", defaults.log_bits, 4, 18, "bits", "fraction bits of a logarithm");
+    declare_log_whole_bits(parameters, "lns");
+    parameters.integer("lns.antilog_table_bits", defaults.antilog_table_bits, 3, 14, "bits", "address bits of the antilogarithm's table");
   }
 
   Design design(const Configuration& configuration, const Material& material) const override {
     LnsParameters p;
     static_cast<YPoleParameters&>(p) = read_y_pole_parameters(configuration, "lns");
     p.log_bits = static_cast<int>(configuration.integer("lns.log_bits"));
+    p.log_whole_bits = static_cast<int>(configuration.integer("lns.log_whole_bits"));
     p.antilog_table_bits = static_cast<int>(configuration.integer("lns.antilog_table_bits"));
     Design design = y_pole_design(p, environment_unit(p), illumination_unit(p, material), material);
     design.quantisation_floor_db = logarithmic_floor_db(design.quantisation_floor_db, p.logs(), 4, 3, material);

@@ -117,3 +117,18 @@ TEST_CASE("LNS gains six decibels a bit") {
   CHECK(twelve - ten == Approx(12).margin(2.5));
   CHECK(fourteen - twelve == Approx(12).margin(2.5));
 }
+
+TEST_CASE("shorter logarithms and light words make LNS smaller, leave its formula and keep a picture of 8 bits") {
+  const Material material;
+  const Design full = designed("lns", {}, material), small = designed("lns", {{"log_whole_bits", "3"}, {"light_word_bits", "9"}}, material);
+  // A bit less of the two columns of six reads; 7 bits less of two light tables.
+  CHECK(count(full.environment).table_bits - count(small.environment).table_bits == 12 * 1024);
+  CHECK(count(full.illumination).table_bits - count(small.illumination).table_bits == 2 * 7 * 1024);
+  CHECK(worst_dot_error(small) < 1e-12);
+  const Accuracy found = accuracy(small, material, 30, point_on_parallel);
+  CHECK(found.real_to_exact_db > 200);
+  CHECK(found.fixed_to_real_db > 46);
+  CHECK(small.quantisation_floor_db < full.quantisation_floor_db);
+  CHECK(accuracy(designed("lns", {{"log_whole_bits", "2"}}, material), material, 20, point_on_parallel).fixed_to_real_db >
+        small.quantisation_floor_db);
+}

@@ -24,8 +24,8 @@ Netlist illumination_unit(const LnsParameters& p, const Material& material) {
   Netlist n("illumination");
   LogReads reads(n, p.logs());
   const LogWidths widths = p.logs();
-  const LogValue x = input_log(n, "N.x", widths, log_product_bits), y = input_log(n, "N.y", widths, log_whole_bits),
-                 z = input_log(n, "N.z", widths, log_product_bits);
+  const LogValue x = input_log(n, "N.x", widths, widths.whole_bits + 1), y = input_log(n, "N.y", widths, widths.whole_bits),
+                 z = input_log(n, "N.z", widths, widths.whole_bits + 1);
   const auto dot = [&](const std::string& name, const std::string& vector) {
     const LogVector a = input_log_vector(n, vector, widths);
     const auto product = [&](const char* term, const LogValue& of_a, const LogValue& of_normal) {

@@ -12,9 +12,10 @@ namespace bump::lns {
 
 struct LnsParameters : YPoleParameters {
   int log_bits = 12;            ///< f: fraction bits of a logarithm
+  int log_whole_bits = 4;       ///< W: bits of a table's logarithm before the point
   int antilog_table_bits = 10;  ///< m: address bits of the antilogarithm's table
 
-  LogWidths logs() const { return {input_angle(), table_bits, log_bits, antilog_table_bits, word_bits, ports}; }
+  LogWidths logs() const { return {input_angle(), table_bits, log_bits, antilog_table_bits, word_bits, log_whole_bits, ports}; }
 };
 
 /// Inputs "N.phi", "N.theta", "L.phi" ... in input_angle(), the map's; outputs logarithms "L.G", "L.K", "L.z", those of H, "N.x", "N.y",

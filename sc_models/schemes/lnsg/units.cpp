@@ -6,12 +6,6 @@
 
 namespace bump::lnsg {
 
-namespace {
-
-constexpr int three_factors = log_product_bits + 1;  // bits before the point
-
-}  // namespace
-
 Netlist environment_unit(const LnsgParameters& p) {
   Netlist n("environment");
   LogReads reads(n, p.logs());
@@ -40,9 +34,10 @@ Netlist illumination_unit(const LnsgParameters& p, const Material& material) {
   Netlist n("illumination");
   LogReads reads(n, p.logs());
   const LogWidths widths = p.logs();
+  const int two_factors = widths.whole_bits + 1, three_factors = two_factors + 1;  // bits before the point
   const LogValue x_cos = input_log(n, "N.x_cos", widths, three_factors), x_sin = input_log(n, "N.x_sin", widths, three_factors),
-                 y = input_log(n, "N.y", widths, log_product_bits), z_sin = input_log(n, "N.z_sin", widths, log_product_bits),
-                 z_cos = input_log(n, "N.z_cos", widths, log_product_bits);
+                 y = input_log(n, "N.y", widths, two_factors), z_sin = input_log(n, "N.z_sin", widths, two_factors),
+                 z_cos = input_log(n, "N.z_cos", widths, two_factors);
   const auto dot = [&](const std::string& name, const std::string& vector) {
     const LogVector a = input_log_vector(n, vector, widths);
     const auto product = [&](const char* term, const LogValue& of_a, const LogValue& of_normal) {
@@ -56,6 +51,7 @@ Netlist illumination_unit(const LnsgParameters& p, const Material& material) {
   const Wire n_l = dot("N_L", "L"), n_h = dot("N_H", "H");
   YPoleParameters light;
   light.light_table_bits = p.light_table_bits;
+  light.light_word_bits = p.light_word_bits;
   output_intensity(n, n_l, n_h, light, material);
   return n;
 }

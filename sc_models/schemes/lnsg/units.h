@@ -16,11 +16,13 @@ struct LnsgParameters : PolarSettings {
   int table_bits = 10;          ///< k: address bits of a quarter turn of logarithms
   int word_bits = 12;           ///< w: bits of an antilogarithm's word
   int log_bits = 12;            ///< f: fraction bits of a logarithm
+  int log_whole_bits = 4;       ///< W: bits of a table's logarithm before the point
   int antilog_table_bits = 10;  ///< m: address bits of the antilogarithm's table
   int light_table_bits = 10;    ///< address bits of the light tables
+  int light_word_bits = 16;     ///< of their words
   int ports = 1;                ///< of a ROM
 
-  LogWidths logs() const { return {input_angle(), table_bits, log_bits, antilog_table_bits, word_bits, ports}; }
+  LogWidths logs() const { return {input_angle(), table_bits, log_bits, antilog_table_bits, word_bits, log_whole_bits, ports}; }
 };
 
 /// Inputs "N.phi", "N.theta", "L.phi" ... in input_angle(), the map's, "alpha", "mirror" where the settings ask for them; outputs

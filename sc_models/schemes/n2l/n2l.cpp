@@ -19,7 +19,7 @@ class N2l : public Scheme {
 
   void declare(Parameters& parameters) const override {
     declare_object_angles_parameters(parameters, "n2l");
-    parameters.integer("n2l.log_bits", N2lParameters{}.log_bits, 6, 18, "bits", "fraction bits of a logarithm");
+    parameters.integer("n2l.log_bits", N2lParameters{}.log_bits, 4, 18, "bits", "fraction bits of a logarithm");
   }
 
   Design design(const Configuration& configuration, const Material& material) const override {

@@ -10,7 +10,7 @@ TEST_CASE("NC2 takes two multipliers, and six adders a stage") {
   for (const int stages : {4, 9, 12, 18}) {
     CAPTURE(stages);
     const Design design = designed("nc2", {{"stages", std::to_string(stages).c_str()}});
-    require_counts(design.environment, Portion::published, 0, 5 + (3 * stages - 1) + (3 * stages - 3), 3);
+    require_counts(design.environment, Portion::published, 0, 5 + (3 * stages - 1) + (3 * stages - 4), 3);
     require_counts(design.illumination, Portion::published, 2, 11, 8);
     CHECK(columns_read(design.environment) + columns_read(design.illumination) == 11 + 2);
     CHECK(count(design.environment).shifters == 0);

@@ -8,15 +8,17 @@ void declare_parameters(Parameters& p) {
       "transform of L and H into tangent space: per pixel as Lee 2007, Table 1, charges it, or at the vertices as published; not read with "
       "map = object_space");
   p.choice("peercy1997.map", "tangent", {"tangent", "object_space"},
-           "space of the normals in the map: tangent space, or the object's own, which needs no transform and a map for each object");
+           "space of the normals in the map: tangent space, or the object's own, which needs no transform and a map for each object")
+      .decides = "which map there is: one that any surface can wear, or one made for each object";
   p.choice("peercy1997.perturbation", "square_patch", {"square_patch", "surface"},
            "normals in the map: the scene's own, which know no surface (Eqs 8-11), or from heights and the derivatives of each surface "
-           "(Eqs 3-6)");
+           "(Eqs 3-6)")
+      .decides = "which normals the map holds";
   p.choice("peercy1997.normaliser", "divider", {"divider", "table"},
            "normalisers: square root and three dividers, or a table of reciprocal roots and three multipliers");
   declare_widths(p, "peercy1997");
-  p.integer("peercy1997.texel_bits", 8, 4, 16, "bits", "bits of a component of the map");
-  p.integer("peercy1997.root_table_bits", 10, 6, 14, "bits", "address bits of the reciprocal root table (normaliser = table)");
+  p.integer("peercy1997.texel_bits", 8, 3, 16, "bits", "bits of a component of the map");
+  p.integer("peercy1997.root_table_bits", 10, 4, 14, "bits", "address bits of the reciprocal root table (normaliser = table)");
 }
 
 PeercyParameters read_parameters(const Configuration& c) {

@@ -1,5 +1,6 @@
 // YP6G as one Design: see README.md of this folder.
 
+#include "schemes/common/light_tables.h"
 #include "schemes/common/polar_error.h"
 #include "schemes/common/polar_map.h"
 #include "schemes/common/polar_vectors.h"
@@ -19,6 +20,7 @@ Yp6gParameters read(const Configuration& c) {
   p.sums.table_bits = integer("table_bits");
   p.sums.word_bits = integer("word_bits");
   p.sums.light_table_bits = integer("light_table_bits");
+  p.sums.light_word_bits = integer("light_word_bits");
   p.sums.ports = integer("ports");
   return p;
 }
@@ -38,7 +40,7 @@ class Yp6g : public Scheme {
     defaults.angle_bits = 12;
     declare_polar_settings(p, "yp6g", defaults);
     declare_in_plane_settings(p, "yp6g");
-    p.integer("yp6g.inverse_table_bits", 10, 6, 14, "bits", "address bits of arc tangents: angles formed per pixel, a vector texel");
+    p.integer("yp6g.inverse_table_bits", 10, 4, 14, "bits", "address bits of arc tangents: angles formed per pixel, a vector texel");
     declare_sum_widths(p, "yp6g");
   }
 
@@ -49,7 +51,8 @@ class Yp6g : public Scheme {
     design.environment = environment_unit(p);
     design.illumination = projected_illumination_unit(p.sums, normal_formats(p), material);
     design.map = polar_map(p.polar);
-    design.quantisation_floor_db = polar_floor_db(p.polar, {p.sums.table_bits, p.sums.word_bits, 0, p.sums.light_table_bits}, material);
+    const double floor_db = polar_floor_db(p.polar, {p.sums.table_bits, p.sums.word_bits, 0, p.sums.light_table_bits}, material);
+    design.quantisation_floor_db = light_word_floor_db(floor_db, p.sums.light_word_bits);
     return design;
   }
 };

@@ -240,6 +240,25 @@ TEST_CASE("no operator is recorded twice") {
   });
 }
 
+TEST_CASE("no operator goes unread") {
+  for_designs([](const Scheme&, const Configuration&, const Design& design) {
+    for (const Netlist* unit : pixel_units(design)) {
+      std::vector<bool> read(unit->nodes().size(), false);
+      for (const Netlist::Port& port : unit->outputs()) read[static_cast<std::size_t>(port.node)] = true;
+      for (std::size_t i = read.size(); i-- > 0;)
+        if (read[i])
+          for (const int operand : unit->nodes()[i].operands) read[static_cast<std::size_t>(operand)] = true;
+      for (std::size_t i = 0; i < read.size(); ++i) {
+        const Op op = unit->nodes()[i].op;
+        const bool is_built = op == Op::add || op == Op::sub || op == Op::add_sub || op == Op::mul || op == Op::div || op == Op::sqrt ||
+                              op == Op::table || op == Op::clamp || op == Op::shift_by;
+        CAPTURE(unit->name(), unit->nodes()[i].name);
+        if (is_built) CHECK(read[i]);
+      }
+    }
+  });
+}
+
 TEST_CASE("published operators and additions make up the whole") {
   for_designs([](const Scheme&, const Configuration&, const Design& design) {
     for (const Netlist* unit : pixel_units(design)) {
