@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "schemes/scheme.h"
+#include "testbench/bench/help_option.h"
 #include "testbench/bench/lee_floor.h"
 #include "testbench/bench/stopwatch.h"
 #include "units/colour_unit.h"
@@ -133,6 +134,7 @@ double largest_difference(const Plane& a, const Plane& b) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  if (bench::gave_help(argc, argv, "nanoseconds a fragment of the netlist evaluators, beside a datapath written by hand", "bench_datapath [--turns N] [--schemes a,b] [--json]")) return 0;
   int turns = 15;
   bool json = false;
   std::vector<std::string> schemes = {"lee2007", "peercy1997", "kugler1998"};

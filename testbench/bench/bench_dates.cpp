@@ -14,6 +14,7 @@
 #include "retiming/retimer.h"
 #include "retiming/trace_feeder.h"
 #include "retiming/trace_file.h"
+#include "testbench/bench/help_option.h"
 #include "testbench/bench/interleaved.h"
 #include "testbench/bench/list_option.h"
 #include "testbench/bench/recurrence_by_hand.h"
@@ -165,6 +166,7 @@ int run(int argc, char* argv[]) {
 }  // namespace
 
 int sc_main(int argc, char* argv[]) {
+  if (bench::gave_help(argc, argv, "nanoseconds a fragment of the timing planes alone, over traces that bumpsim run --record wrote", "bench_dates TRACE... [--rounds N] [--depths 1,4]")) return 0;
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   try {
     return run(argc, argv);

@@ -9,6 +9,7 @@
 #include <systemc>
 
 #include "system/simulation.h"
+#include "testbench/bench/help_option.h"
 #include "testbench/bench/interleaved.h"
 #include "testbench/bench/list_option.h"
 #include "testbench/program/configure.h"
@@ -142,6 +143,7 @@ int run(int argc, char* argv[]) {
 }  // namespace
 
 int sc_main(int argc, char* argv[]) {
+  if (bench::gave_help(argc, argv, "fragments a second of the engines, over scenes, schemes and FIFO depths", "bench_engines [--rounds N] [--size PIXELS] [--scenes a,b] [--schemes a,b] [--depths 1,4] [--json]")) return 0;
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   try {
     return run(argc, argv);

@@ -11,6 +11,7 @@
 #include "datapath/invariant.h"
 #include "retiming/lane_dates.h"
 #include "retiming/trace_file.h"
+#include "testbench/bench/help_option.h"
 #include "testbench/bench/interleaved.h"
 #include "testbench/experiments/retime.h"
 #include "testbench/scene/input_files.h"
@@ -119,6 +120,7 @@ Json measure(const std::string& path, int rounds) {
 }  // namespace
 
 int sc_main(int argc, char* argv[]) {
+  if (bench::gave_help(argc, argv, "fragments times configurations a second of dating traces again", "bench_retime TRACE... [--rounds N]")) return 0;
   try {
     int rounds = 9;
     Json all = Json::array();

@@ -9,6 +9,7 @@
 #include <systemc>
 
 #include "system/simulation.h"
+#include "testbench/bench/help_option.h"
 #include "testbench/bench/interleaved.h"
 #include "testbench/bench/list_option.h"
 #include "testbench/program/configure.h"
@@ -144,6 +145,7 @@ int run(int argc, char* argv[]) {
 }  // namespace
 
 int sc_main(int argc, char* argv[]) {
+  if (bench::gave_help(argc, argv, "where the time of a dated run goes, over scenes, schemes and frame sizes", "bench_stages [--rounds N] [--scenes a,b] [--schemes a,b] [--sizes 512,2048]")) return 0;
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   try {
     return run(argc, argv);

@@ -1,6 +1,7 @@
 #include "testbench/experiments/price.h"
 
 #include <algorithm>
+#include <map>
 
 #include "datapath/vertex_program.h"
 #include "testbench/experiments/table1_netlists.h"
@@ -122,7 +123,7 @@ class Pricing {
 
     UnitPrice price = named(unit.name, is_colour ? Role::colour : Role::bump_mapping);
     price.registers = registers;
-    price.latency = unit.schedule->latency;
+    price.latency = unit.schedule->unit_latency();
     price.initiation_interval = unit.schedule->initiation_interval;
     price.executions = executions_of(unit.name, 1);
     const std::string who = scheme_.page().id + ", " + unit.name + " unit";
@@ -147,8 +148,8 @@ class Pricing {
       for (const PixelUnit& unit : units) {
         if (unit.name == "conversion" || unit.name == "colour") continue;  // in front of the texture unit; the unit's own
         const int interval = unit.schedule->initiation_interval;
-        registers.carried += std::int64_t{width} * ((unit.schedule->latency + interval - 1) / interval);
-        clocked.carried += std::int64_t{width} * unit.schedule->latency;
+        registers.carried += std::int64_t{width} * ((unit.schedule->unit_latency() + interval - 1) / interval);
+        clocked.carried += std::int64_t{width} * unit.schedule->unit_latency();
       }
     }
   }
@@ -290,6 +291,27 @@ std::optional<double> SchemePrice::additions(Quantity quantity) const {
 
 std::optional<double> SchemePrice::table_bits() const {
   return sum_of_units(*this, Quantity::area, false, [](const CostSheet& sheet) { return sheet.table_bits(); });
+}
+
+std::optional<double> SchemePrice::port_prices() const {
+  return sum_of_units(*this, Quantity::area, false, [](const CostSheet& sheet) { return sheet.port_prices(); });
+}
+
+std::vector<LeftOut> SchemePrice::left_out(Quantity quantity, bool with_colour) const {
+  std::map<Component, double> amounts;
+  for (const UnitPrice& unit : units) {
+    if (unit.role == Role::apart || (unit.role == Role::colour && !with_colour)) continue;
+    const std::optional<CostSheet>& sheet = quantity == Quantity::area ? unit.area : unit.energy;
+    if (!sheet) continue;
+    const double times = quantity == Quantity::energy ? unit.executions.value_or(0) : 1;
+    for (const PricedItem& priced : sheet->items)
+      if (priced.entry->is_excluded())
+        amounts[priced.item.component] += priced.item.count * times * (has_width(priced.item.component) ? priced.item.size[0] : 1);
+  }
+  std::vector<LeftOut> list;
+  for (const auto& [component, amount] : amounts)
+    if (amount > 0) list.push_back({component, amount});
+  return list;
 }
 
 std::optional<double> SchemePrice::table_reads() const {

@@ -32,6 +32,12 @@ struct UnitPrice {
   std::optional<double> energy_of_fragment() const;
 };
 
+/// What a table leaves out of a total, by a reason of its own.
+struct LeftOut {
+  Component component = Component::adder;
+  double amount = 0;  ///< built, or executed for a fragment: bits of components that have a width, and of registers; else pieces
+};
+
 struct SchemePrice {
   const SchemePage* page = nullptr;
   std::optional<Error> error;  ///< why there are no prices
@@ -43,8 +49,11 @@ struct SchemePrice {
   std::optional<double> total(Quantity quantity, bool with_colour) const;
   std::optional<double> of(Quantity quantity, CostGroup group) const;  ///< of bump mapping
   std::optional<double> additions(Quantity quantity) const;            ///< of bump mapping
-  std::optional<double> table_bits() const;                            ///< of bump mapping
-  std::optional<double> table_reads() const;                           ///< of bump mapping, for each fragment
+  std::optional<double> table_bits() const;                            ///< of bump mapping: bits stored, a second port has none
+  std::optional<double> port_prices() const;                           ///< of bump mapping, area: of second ports
+  std::optional<double> table_reads() const;                           ///< of bump mapping, for each fragment, through any port
+  /// In order of component; empty if the table excludes nothing that bump mapping, or the colour unit, needs.
+  std::vector<LeftOut> left_out(Quantity quantity, bool with_colour) const;
 };
 
 struct PriceOptions {

@@ -10,12 +10,19 @@ std::optional<CostLine> line_of(const SchemePrice& price, Quantity quantity, boo
   const std::optional<double> total = price.total(quantity, false), tables = price.of(quantity, CostGroup::tables);
   if (!total || !tables) return std::nullopt;
   CostLine line;
-  line.rest = *total - *tables;
+  const double ports = by_unit && quantity == Quantity::area ? price.port_prices().value_or(0) : 0;
+  line.rest = *total - *tables + ports;
   if (quantity == Quantity::energy && price.traffic) line.rest += price.traffic->total();
   const double units = (quantity == Quantity::area ? price.table_bits() : price.table_reads()).value_or(0);
   line.tables = by_unit ? units : *tables;
-  if (line.tables > 0) line.own = *tables / line.tables;
+  if (line.tables > 0) line.own = (*tables - ports) / line.tables;
   return line;
+}
+
+double amount_of(const std::vector<LeftOut>& list, Component component) {
+  for (const LeftOut& one : list)
+    if (one.component == component) return one.amount;
+  return 0;
 }
 
 }  // namespace
@@ -34,6 +41,28 @@ void find_break_even(BreakEven& point) {
   point.below = by_rest >= 0 ? by_rest : by_tables;
   point.above = by_tables >= 0 ? by_tables : by_rest;
   if (by_rest >= 0 && by_tables >= 0 && by_rest != by_tables) point.at = ahead / slope;
+}
+
+std::vector<ExcludedEffect> excluded_effects(const SchemePrice& first, const SchemePrice& second) {
+  std::vector<ExcludedEffect> effects;
+  for (const Quantity quantity : {Quantity::area, Quantity::energy}) {
+    const std::optional<CostLine> a = line_of(first, quantity, false), b = line_of(second, quantity, false);
+    if (!a || !b) continue;
+    const std::vector<LeftOut> of_first = first.left_out(quantity, false), of_second = second.left_out(quantity, false);
+    const double lead = b->at(1) - a->at(1);  // of the first, by the table's own prices
+    for (int c = 0; c < static_cast<int>(Component::count); ++c) {
+      ExcludedEffect effect;
+      effect.quantity = quantity;
+      effect.component = static_cast<Component>(c);
+      effect.amounts = {amount_of(of_first, effect.component), amount_of(of_second, effect.component)};
+      if (effect.amounts == std::array<double, 2>{}) continue;
+      effect.ahead = lead > 0 ? 0 : lead < 0 ? 1 : -1;
+      const double more = effect.amounts[0] - effect.amounts[1];  // of the first
+      if (lead * more > 0) effect.at = lead / more;
+      effects.push_back(effect);
+    }
+  }
+  return effects;
 }
 
 std::vector<BreakEven> break_even(const SchemePrice& first, const SchemePrice& second) {

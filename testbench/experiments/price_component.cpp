@@ -30,9 +30,10 @@ const About& about(Component component) {
       {"negate", {"width"}, C::negate, G::logic},
       {"shifter", {"width", "places"}, C::shifter, G::logic},
       {"index_encoder", {"binades", "word"}, C::index_encoder, G::logic},
-      {"table", {"entries", "word", "columns"}, C::table, G::tables},
-      {"map", {"entries", "word", "columns"}, C::table, G::tables},
-      {"second_port", {"entries", "word", "columns"}, C::table, G::tables},
+      {"table", {"entries", "word", "columns", "changes"}, C::table, G::tables},
+      {"line_table", {"entries", "word", "columns", "changes"}, C::table, G::tables},
+      {"map", {"entries", "word", "columns", "changes"}, C::table, G::tables},
+      {"second_port", {"entries", "word", "columns", "changes"}, C::second_port, G::tables},
       {"register", {}, C::register_bits, G::registers},
       {"float_adder", {}, C::float_adder, G::adders},
       {"float_multiplier", {}, C::float_multiplier, G::multipliers},
@@ -52,6 +53,9 @@ const char* name_of(Component component) {
 }
 const std::vector<std::string>& sizes_of(Component component) {
   return about(component).sizes;
+}
+bool has_width(Component component) {
+  return !sizes_of(component).empty() && sizes_of(component).front() == "width";
 }
 Component general(Component component) {
   return about(component).general;

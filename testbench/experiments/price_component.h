@@ -22,9 +22,10 @@ enum class Component {
   negate,               ///< negation, absolute value, and the sign work of a folded table; width
   shifter,              ///< barrel shifter; width: of what is shifted, places: bits of the distance
   index_encoder,        ///< leading-one detector of a floating index; binades: exponents, word: mantissa bits
-  table,                ///< entries; word: stored bits of all columns; columns
+  table,                ///< entries; word: stored bits of all columns; columns; changes: stored bits that differ from the word before
+  line_table,           ///< table whose words lie on a straight line; else as table
   map,                  ///< table of several indices; else as table
-  second_port,          ///< further index of a table in the same cycle; else as table, a copy
+  second_port,          ///< further index of a table in the same cycle, without words of its own; sizes of the words that it reads
   register_bits,        ///< "register": one flip-flop; energy: of one clocking
   float_adder,          ///< comparisons too
   float_multiplier,
@@ -38,8 +39,10 @@ enum class Component {
 
 /// The name in a price table's file.
 const char* name_of(Component component);
-/// Sizes that a price may depend on, in the order of PriceSizes: at most three.
+/// Sizes that a price may depend on, in the order of PriceSizes: at most four.
 const std::vector<std::string>& sizes_of(Component component);
+/// Whether it is so many equal bits side by side: its first size is its width.
+bool has_width(Component component);
 /// What it is priced as where a table has no entry for it; itself if there is nothing more general.
 Component general(Component component);
 

@@ -79,8 +79,10 @@ Json unit_json(const UnitPrice& unit) {
   if (unit.registers) {
     json["latency"] = unit.latency;
     json["initiation_interval"] = unit.initiation_interval;
-    json["register_bits"] = {
-        {"between", unit.registers->between}, {"inside", unit.registers->inside}, {"carried", unit.registers->carried}};
+    json["register_bits"] = {{"between", unit.registers->between},
+                             {"inside", unit.registers->inside},
+                             {"carried", unit.registers->carried},
+                             {"waiting", unit.registers->waiting}};
   }
   if (unit.area) json["area"] = sheet_json(*unit.area);
   if (unit.energy) json["energy_of_execution"] = sheet_json(*unit.energy);
@@ -92,6 +94,13 @@ Json unit_json(const UnitPrice& unit) {
   return json;
 }
 
+/// What the totals, the one with the colour unit included, lack by the table's own word.
+Json left_out_json(const SchemePrice& price, Quantity quantity) {
+  Json json = Json::object();
+  for (const LeftOut& one : price.left_out(quantity, true)) json[name_of(one.component)] = one.amount;
+  return json;
+}
+
 Json total_json(const PriceReport& report, const SchemePrice& price, Quantity quantity) {
   const PriceTable* table = report.book.of(quantity);
   if (table == nullptr) return nullptr;
@@ -100,7 +109,8 @@ Json total_json(const PriceReport& report, const SchemePrice& price, Quantity qu
           {"additions", optional(price.additions(quantity))},
           {"unit", unit_of(quantity)},
           {"table", table->name()},
-          {"accuracy", table->accuracy(quantity)}};
+          {"accuracy", table->accuracy(quantity)},
+          {"without", left_out_json(price, quantity)}};
 }
 
 Json scheme_json(const PriceReport& report, const SchemePrice& price) {
@@ -134,6 +144,21 @@ Json break_even_json(const PriceReport& report) {
       one["lines"].push_back({{"scheme", id(i)}, {"rest", line.rest}, {"tables", line.tables}, {"cost_by_table", line.own}});
     }
     json.push_back(one);
+  }
+  return json;
+}
+
+Json excluded_effects_json(const PriceReport& report) {
+  Json json = Json::array();
+  for (const ExcludedEffect& effect : report.excluded_effects) {
+    const auto id = [&](int index) {
+      return index < 0 ? Json() : Json(report.schemes[(*report.compared)[static_cast<std::size_t>(index)]].page->id);
+    };
+    json.push_back({{"quantity", name_of(effect.quantity)},
+                    {"component", name_of(effect.component)},
+                    {"amounts", effect.amounts},
+                    {"cheaper_without_it", id(effect.ahead)},
+                    {"turns_above", optional(effect.at)}});
   }
   return json;
 }
@@ -191,10 +216,14 @@ class Csv {
     }
     for (const Quantity quantity : {Quantity::area, Quantity::energy}) {
       if (report_.book.of(quantity) == nullptr) continue;
-      const std::string of = quantity == Quantity::area ? "scheme" : "fragment", note = report_.book.of(quantity)->accuracy(quantity);
-      for (const bool with_colour : {false, true})
+      const std::string of = quantity == Quantity::area ? "scheme" : "fragment";
+      for (const bool with_colour : {false, true}) {
+        std::string note = report_.book.of(quantity)->accuracy(quantity);
+        for (const LeftOut& one : price.left_out(quantity, with_colour))
+          note += fmt::format("; without {} ({:.10g})", name_of(one.component), one.amount);
         line(with_colour ? "bump_mapping_and_colour" : "bump_mapping", "total", quantity, of, "total", "", std::nullopt, std::nullopt,
              price.total(quantity, with_colour), false, note);
+      }
     }
   }
 
@@ -218,6 +247,7 @@ std::string price_json(const PriceReport& report) {
                {"schemes", Json::array()}};
   for (const SchemePrice& price : report.schemes) json["schemes"].push_back(scheme_json(report, price));
   json["break_even"] = break_even_json(report);
+  json["excluded_effects"] = excluded_effects_json(report);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

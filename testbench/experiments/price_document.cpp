@@ -86,7 +86,7 @@ class PriceDocument {
   /// One row a scheme.
   void overview(Quantity quantity) {
     const bool traffic = quantity == Quantity::energy && !report_.scene.empty();
-    document_.heading(2, subject(quantity) + ", by " + table(quantity).name());
+    document_.heading(2, subject(quantity) + ", by " + table(quantity).name() + without(quantity));
     Row header = {"scheme"};
     header.insert(header.end(), group_headings.begin(), group_headings.end());
     header.insert(header.end(), {"total", "beside published", "with colour"});
@@ -120,8 +120,8 @@ class PriceDocument {
     for (const SchemePrice& price : report_.schemes)
       if (price.error)
         document_.item(fmt::format("{} has no price: {}; {}", price.page->id, price.error->text().what, price.error->text().why));
-    document_.item(fmt::format("Totals are by {} ({}): bump mapping{}, without and with the colour unit{}.", table(quantity).name(),
-                               table(quantity).accuracy(quantity),
+    document_.item(fmt::format("Totals are by {}{} ({}): bump mapping{}, without and with the colour unit{}.", table(quantity).name(),
+                               without(quantity), table(quantity).accuracy(quantity),
                                quantity == Quantity::area ? " with its tables and pipeline registers" : "",
                                traffic ? ", then with caches and memory" : ""));
     if (quantity == Quantity::area)
@@ -132,7 +132,13 @@ class PriceDocument {
       document_.item("(R): a reconstruction, in whole or in part.");
   }
 
-  /// What the totals do not have because the table excludes it.
+  /// What every total of the quantity lacks by its table, for a place beside the table's name.
+  std::string without(Quantity quantity) const {
+    const std::string names = excluded_names(report_, quantity);
+    return names.empty() ? "" : ", without " + names;
+  }
+
+  /// What the totals do not have because the table excludes it, and what no table prices.
   void left_out(Quantity quantity) {
     std::string list;
     for (const UsedEntry& used : used_entries(report_))
@@ -140,12 +146,13 @@ class PriceDocument {
         list += fmt::format("{}{} (up to {:.0f}{})", list.empty() ? "" : ", ", name_of(used.component), used.excluded,
                             used.component == Component::register_bits ? " bits" : "");
     if (!list.empty()) document_.item("In no total, because the table excludes them: " + list + ".");
+    document_.item("In no total, whatever the table: " + never_priced(quantity) + ".");
   }
 
   void units(const SchemePrice& price, Quantity quantity) {
     const bool energy = quantity == Quantity::energy;
     document_.heading(2, fmt::format("{}: {} of each unit, {}, by {}", marked_id(*price.page), name_of(quantity),
-                                     energy ? "pJ an execution" : "NAND2", table(quantity).name()));
+                                     energy ? "pJ an execution" : "NAND2", table(quantity).name() + without(quantity)));
     Row header = {"unit"};
     header.insert(header.end(), group_headings.begin(), group_headings.end());
     header.push_back("total");
@@ -210,7 +217,7 @@ class PriceDocument {
     std::vector<Row> rows;
     std::vector<std::string> sentences;
     for (const BreakEven& point : report_.break_even) {
-      const std::string by = table(point.quantity).name();
+      const std::string by = table(point.quantity).name() + without(point.quantity);
       for (int i = 0; i < 2; ++i) {
         const CostLine& line = point.lines[static_cast<std::size_t>(i)];
         rows.push_back({i == 0 ? name_of(point.quantity) : "", i == 0 ? point.unit : "", id(i), amount(line.rest, point.quantity),
@@ -221,6 +228,24 @@ class PriceDocument {
     }
     document_.table({"quantity", "cost in", "scheme", "without tables", "units of tables", "by its table", "equal at"}, rows, 3);
     for (const std::string& words : sentences) document_.item(words);
+    for (const ExcludedEffect& effect : report_.excluded_effects) document_.item(sentence(effect, id));
+  }
+
+  /// Whether the component could turn the ranking, with an adder's price to judge by.
+  template <class Id>
+  std::string sentence(const ExcludedEffect& effect, const Id& id) const {
+    const char* unit = unit_of(effect.quantity);
+    const char* piece = has_width(effect.component) || effect.component == Component::register_bits ? "bit" : "piece";
+    const std::string what = fmt::format("{} is in no {} ({} has {:.0f} {}s, {} {:.0f})", name_of(effect.component),
+                                         name_of(effect.quantity), id(0), effect.amounts[0], piece, id(1), effect.amounts[1]);
+    if (!effect.at) return what + ": at no price does it change the ranking.";
+    std::string scale;
+    constexpr double usual_width = 12;
+    const PriceEntry* adder = table(effect.quantity).find(effect.quantity, Component::adder);
+    if (adder != nullptr && !adder->is_excluded())
+      scale = fmt::format("; a bit of an adder takes {} {}", rounded(adder->at({usual_width}) / usual_width), unit);
+    return what + fmt::format(": above {} {} a {} it would turn the ranking, {} would be cheaper{}.", rounded(*effect.at), unit, piece,
+                              id(1 - effect.ahead), scale);
   }
 
   template <class Id>

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "datapath/arithmetic.h"
 #include "datapath/invariant.h"
+#include "testbench/experiments/price_contents.h"
 
 namespace bump {
 
@@ -146,17 +148,30 @@ class Items {
     const auto width = [&](const Column& column) {
       return double(column.format.is_real ? bits(column.format) : table.stored_width(column));
     };
-    double word = 0, columns = 0, mirrored = 0;
-    for (const Column& column : table.columns) {
+    const RomContents& contents = contents_once(table);
+    double word = 0, columns = 0, mirrored = 0, changes = 0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const Column& column = table.columns[i];
       (column.mirrors_first ? mirrored : columns) += 1;
-      if (!column.mirrors_first) word += width(column);
+      if (column.mirrors_first) continue;
+      word += width(column);
+      changes += contents.changes[i];
     }
-    const Component component = node().second_port ? Component::second_port : table.is_map() ? Component::map : Component::table;
-    add(component, {entries, word, columns}, copies);
-    if (mirrored > 0) add(Component::second_port, {entries, width(table.columns.front()), 1}, mirrored * copies);
+    const Component component = node().second_port ? Component::second_port
+                                : table.is_map()   ? Component::map
+                                : contents.is_line ? Component::line_table
+                                                   : Component::table;
+    add(component, {entries, word, columns, changes}, copies);
+    if (mirrored > 0) add(Component::second_port, {entries, width(table.columns.front()), 1, contents.changes.front()}, mirrored * copies);
     if (table.folding == Folding::floating)
       add(Component::index_encoder, {std::ldexp(1.0, table.exponent_bits), double(table.address_bits - table.exponent_bits)});
     add_folding(table, width);
+  }
+
+  const RomContents& contents_once(const Table& table) {
+    const auto [place, added] = contents_.try_emplace(&table);
+    if (added) place->second = contents_of(table);
+    return place->second;
   }
 
   template <class Width>
@@ -173,6 +188,7 @@ class Items {
   const ItemOptions& options_;
   int node_ = 0;
   std::vector<PriceItem> items_;
+  std::map<const Table*, RomContents> contents_;  ///< only looked up
 };
 
 /// Products by the cycle, modulo the interval, in which they start.

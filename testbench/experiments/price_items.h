@@ -2,9 +2,10 @@
 // A netlist as a list of components with sizes: what is built, and what one execution does. Widths are those of the operands as recorded.
 // Shifts, joins, flags, half turns and single gates are wiring and have no component. A table of several outputs is one item with the
 // stored bits of all columns; a column that is read from the first one's words at the complemented address is a second port, and so is a
-// second index. A folded index and every column whose sign folding supplies need a conditional negation each. Multipliers that are shared
-// in time are as wide as the widest products they take, with selects in front. Words of edges without a format (vertex programs,
-// interpolators) are floating point, or fixed-point words of a width that the caller states. No time of its own.
+// second index: a read of words that are stored once. A folded index and every column whose sign folding supplies need a conditional
+// negation each. Multipliers that are shared in time are as wide as the widest products they take, with selects in front. Words of edges
+// without a format (vertex programs, interpolators) are floating point, or fixed-point words of a width that the caller states. No time of
+// its own.
 
 #include <array>
 #include <string>

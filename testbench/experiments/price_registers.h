@@ -1,11 +1,9 @@
 #pragma once
-// Pipeline registers of a scheduled netlist, from the lifetimes of its values. Between cycles c - 1 and c lies boundary c; a value that is
-// computed before a boundary and read behind it is held there, bit for bit. The result of an operator that takes cycles is registered at
-// the boundary where it is available; what takes none is computed again from its operand behind the boundary (shifts, signs, flags) or
-// held (selects). Of a value that is needed in parts only, the parts are held. Outputs are held up to the latency, where they leave
-// together; the registers that deliver the inputs belong to the FIFO in front. An operator of l cycles holds its state at l - 1
-// boundaries: a divider its divisor, remainder, quotient and rest of the dividend; a square root radicand, remainder and root; a
-// multiplier as many bits as its product. At an initiation interval of i a register serves i boundaries.
+// Pipeline registers of a scheduled netlist, in bits: those that the register plan (datapath/register_plan.h) has between operators, those
+// inside operators of several cycles, and what others need carried past. An operator of l cycles holds its state at l - 1 clock edges: a
+// divider its divisor, remainder, quotient and rest of the dividend; a square root radicand, remainder and root; a multiplier as many bits
+// as its product. At an initiation interval of i a register serves i edges. Left out: what the flow of tokens takes, which every unit has
+// alike (the FIFO in front, the completion queue behind, credits).
 
 #include <cstdint>
 #include <string>
@@ -26,8 +24,9 @@ struct RegisterBits {
   std::int64_t between = 0;  ///< values between operators
   std::int64_t inside = 0;   ///< of operators that take several cycles
   std::int64_t carried = 0;  ///< words for later readers
+  std::int64_t waiting = 0;  ///< with shared multipliers: operands in front of their turn, and results until they leave
 
-  std::int64_t total() const { return between + inside + carried; }
+  std::int64_t total() const { return between + inside + carried + waiting; }
 };
 
 /// At the schedule's initiation interval.

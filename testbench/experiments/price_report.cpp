@@ -46,6 +46,7 @@ void add_break_even(const PriceReportOptions& options, PriceReport& report) {
     if (report.schemes[index].error) throw *report.schemes[index].error;
   report.compared = compared;
   report.break_even = break_even(report.schemes[compared[0]], report.schemes[compared[1]]);
+  report.excluded_effects = excluded_effects(report.schemes[compared[0]], report.schemes[compared[1]]);
 }
 
 }  // namespace
@@ -118,6 +119,18 @@ std::vector<UsedEntry> used_entries(const PriceReport& report) {
   std::vector<UsedEntry> result;
   for (auto& [key, entry] : used) result.push_back(std::move(entry));
   return result;
+}
+
+std::string excluded_names(const PriceReport& report, Quantity quantity) {
+  std::string list;
+  for (const UsedEntry& used : used_entries(report))
+    if (used.quantity == quantity && used.excluded > 0) list += (list.empty() ? "" : ", ") + std::string(name_of(used.component));
+  return list;
+}
+
+std::string never_priced(Quantity quantity) {
+  return quantity == Quantity::area ? "clock trees, wires, control, FIFOs, caches and memories"
+                                    : "clock trees, wires, control, FIFOs, leakage";
 }
 
 std::string sizes_text(const PriceItem& item) {

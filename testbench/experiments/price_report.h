@@ -22,6 +22,7 @@ struct PriceReport {
   std::vector<std::string> settings;                   ///< "key=value (default ...)" of every parameter away from its default
   std::optional<std::array<std::size_t, 2>> compared;  ///< indices of the schemes of a break-even
   std::vector<BreakEven> break_even;
+  std::vector<ExcludedEffect> excluded_effects;  ///< with a break-even
 };
 
 struct PriceReportOptions {
@@ -57,6 +58,11 @@ struct UsedEntry {
 };
 /// In order of quantity and component.
 std::vector<UsedEntry> used_entries(const PriceReport& report);
+
+/// What no total of the report has, because the table excludes it: "clamp, select"; empty if there is nothing.
+std::string excluded_names(const PriceReport& report, Quantity quantity);
+/// What no price here has, by any table.
+std::string never_priced(Quantity quantity);
 
 /// "rows 12, width 13"; empty without sizes.
 std::string sizes_text(const PriceItem& item);

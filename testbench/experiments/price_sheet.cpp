@@ -40,8 +40,16 @@ double CostSheet::of(CostGroup group) const {
 double CostSheet::table_bits() const {
   double bits = 0;
   for (const PricedItem& item : items)
-    if (group_of(item.item.component) == CostGroup::tables) bits += item.item.count * item.item.size[0] * item.item.size[1];
+    if (group_of(item.item.component) == CostGroup::tables && item.item.component != Component::second_port)
+      bits += item.item.count * item.item.size[0] * item.item.size[1];
   return bits;
+}
+
+double CostSheet::port_prices() const {
+  double sum = 0;
+  for (const PricedItem& item : items)
+    if (item.item.component == Component::second_port) sum += item.total();
+  return sum;
 }
 
 double CostSheet::table_reads() const {

@@ -24,7 +24,8 @@ struct CostSheet {
   double total() const;
   double additions() const;  ///< part of it that is not in the published design; registers count as published
   double of(CostGroup group) const;
-  double table_bits() const;   ///< of built items: stored bits, and once more for a second port, which is priced as a copy
+  double table_bits() const;   ///< of built items: bits stored, each once; a second port stores none
+  double port_prices() const;  ///< of second ports: a part of the tables' price that no stored bit explains
   double table_reads() const;  ///< of executed items: reads through any port
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -83,7 +84,8 @@ PriceEntry::Form form_of(const TomlValue& value, const std::string& name, Compon
   const StrictTable probe(value, name, [&] {
     std::vector<std::string> keys;  // every key of any form: which ones belong is checked when the form is known
     for (int f = 0; f < static_cast<int>(form_names.size()); ++f)
-      for (const std::string& key : keys_of(static_cast<PriceEntry::Form>(f), component)) keys.push_back(key);
+      for (const std::string& key : keys_of(static_cast<PriceEntry::Form>(f), component))
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
     return keys;
   }());
   const std::vector<std::string> words(form_names.begin(), form_names.end());
@@ -151,7 +153,8 @@ const char* unit_of(Quantity quantity) {
 
 double PriceEntry::at(const PriceSizes& sizes) const {
   double price = coefficient;
-  const double sum = per[0] * sizes[0] + per[1] * sizes[1] + per[2] * sizes[2];
+  double sum = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) sum += per[i] * sizes[i];
   switch (form) {
     case Form::constant:
       return base;

@@ -22,7 +22,7 @@ const char* name_of(Quantity quantity);
 const char* unit_of(Quantity quantity);
 
 /// Values of a component's sizes, in the order of sizes_of(); unused ones are 0.
-using PriceSizes = std::array<double, 3>;
+using PriceSizes = std::array<double, 4>;
 
 struct PriceEntry {
   enum class Form {
@@ -34,7 +34,7 @@ struct PriceEntry {
   };
   Form form = Form::constant;
   double base = 0, coefficient = 0;
-  PriceSizes per{}, reference{1, 1, 1}, exponent{};
+  PriceSizes per{}, reference{1, 1, 1, 1}, exponent{};
   std::string source, technology, accuracy;
   std::string rule;    ///< how it was scaled from what the source states; empty: as stated there
   std::string reason;  ///< excluded: why

@@ -12,6 +12,7 @@
 
 #include "datapath/error.h"
 #include "datapath/invariant.h"
+#include "datapath/sha256.h"
 
 namespace bump {
 
@@ -20,7 +21,17 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* first_line = "{\"journal\": \"bumpsim-sweep\", \"version\": 1}\n";
+constexpr const char* first_line = "{\"journal\": \"bumpsim-sweep\", \"version\": 2}\n";
+/// Of every version's first line.
+constexpr const char* first_words = "{\"journal\": \"bumpsim-sweep\", \"version\": ";
+constexpr std::size_t digits_of_sum = 12;
+
+/// Between the object's own text and the digits; after them "}.
+constexpr const char* sum_key = ",\"sum\":\"";
+
+std::string sum_of(const std::string& text) {
+  return sha256_hex(text.data(), text.size()).substr(0, digits_of_sum);
+}
 
 [[noreturn]] void fail(const std::string& what, const std::string& path, int error) {
   throw Error({what, {path}, std::generic_category().message(error), "free space or rights there, or another folder with --out"});
@@ -60,14 +71,28 @@ void lock(int file, const std::string& folder) {
 
 }  // namespace
 
+std::string journal_line(const std::string& object) {
+  BUMP_ASSERT(object.size() > 2 && object.front() == '{' && object.back() == '}');
+  return object.substr(0, object.size() - 1) + sum_key + sum_of(object) + "\"}\n";
+}
+
+bool is_sound_journal_line(const std::string& line) {
+  const std::string text = !line.empty() && line.back() == '\n' ? line.substr(0, line.size() - 1) : line;
+  const std::size_t tail = std::string_view(sum_key).size() + digits_of_sum + 2;
+  if (text.size() <= tail || text.front() != '{' || text.compare(text.size() - tail, std::string_view(sum_key).size(), sum_key) != 0)
+    return false;
+  const std::string object = text.substr(0, text.size() - tail) + "}";
+  return journal_line(object) == text + "\n";
+}
+
 bool has_sweep_journal(const std::string& folder) {
   std::ifstream file(fs::path(folder) / SweepJournal::file_name, std::ios::binary);
   std::string line;
   if (!file) return false;
   std::getline(file, line);
-  const std::string_view expected(first_line);
+  const std::string_view expected(first_words);
   // A process that was killed while it began may have left a part of the first line.
-  return expected.compare(0, line.size(), line) == 0;
+  return expected.substr(0, line.size()) == std::string_view(line).substr(0, expected.size());
 }
 
 SweepJournal::SweepJournal(const std::string& folder, bool anew) : path_((fs::path(folder) / file_name).string()) {
@@ -76,18 +101,29 @@ SweepJournal::SweepJournal(const std::string& folder, bool anew) : path_((fs::pa
   if (file_ < 0) fail("cannot open the journal", path_, errno);
   try {
     lock(file_, folder);
-    struct stat facts {};
-    const bool begun = ::fstat(file_, &facts) == 0 && facts.st_size >= static_cast<off_t>(std::string_view(first_line).size());
-    if (anew || !begun) {
-      if (::ftruncate(file_, 0) != 0) fail("cannot empty the journal", path_, errno);
-      append(first_line);
-      sync_folder(folder);
-    }
+    begin(folder, anew);
     refresh();
+    struct stat facts {};
+    if (::fstat(file_, &facts) == 0 && facts.st_size > known_) damaged_.insert(lines_known_ + 1);  // it has no end
   } catch (...) {
     ::close(file_);
     throw;
   }
+}
+
+void SweepJournal::begin(const std::string& folder, bool anew) {
+  const std::string_view expected(first_line);
+  const std::string found = read(0, expected.size());
+  const bool begun = found.size() == expected.size();
+  if (begun && !anew && found != expected)
+    throw Error({"the folder holds a sweep of another version of the program",
+                 {folder},
+                 "its journal is written in another way",
+                 "another folder with --out, or --force to run all points again"});
+  if (begun && !anew) return;
+  if (::ftruncate(file_, 0) != 0) fail("cannot empty the journal", path_, errno);
+  append(first_line);
+  sync_folder(folder);
 }
 
 SweepJournal::~SweepJournal() {
@@ -122,8 +158,12 @@ std::string SweepJournal::read(std::int64_t offset, std::size_t size) const {
 }
 
 void SweepJournal::note(const std::string& line, std::int64_t offset) {
-  const Json json = Json::parse(line, nullptr, false);
-  if (!json.is_object()) return;  // cut off
+  if (offset == 0) return;  // the first line
+  const Json json = is_sound_journal_line(line) ? Json::parse(line, nullptr, false) : Json();
+  if (!json.is_object()) {
+    damaged_.insert(lines_known_ + 1);
+    return;
+  }
   if (json.contains("checked") && json["checked"].is_string()) checked_.insert(json["checked"].get<std::string>());
   const bool is_point = json.contains("id") && json["id"].is_string() && json.contains("status") && json.contains("values");
   if (is_point) lines_[json["id"].get<std::string>()] = {offset, line.size()};
@@ -138,12 +178,19 @@ void SweepJournal::refresh() {
     std::size_t begin = 0;
     for (std::size_t end = rest.find('\n'); end != std::string::npos; end = rest.find('\n', begin)) {
       if (end > begin) note(rest.substr(begin, end - begin), at + static_cast<std::int64_t>(begin));
+      ++lines_known_;
       begin = end + 1;
     }
     rest.erase(0, begin);
     at += static_cast<std::int64_t>(begin);
   }
   known_ = at;
+}
+
+std::vector<std::string> SweepJournal::damages() const {
+  std::vector<std::string> list;
+  for (const std::int64_t line : damaged_) list.push_back(path_ + ", line " + std::to_string(line) + ", is damaged");
+  return list;
 }
 
 Json SweepJournal::point(const std::string& id) const {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -39,7 +40,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 Json manifest_of(const std::string& folder) {
   std::error_code error;
-  if (!fs::is_directory(folder, error)) refuse(folder, "there is no such folder", "", "the folders of finished sweeps");
+  if (!fs::is_directory(folder, error))
+    refuse(folder, "there is no such folder", "what is merged are the folders that bumpsim sweep wrote with --out",
+           "the folders of finished sweeps");
   if (!fs::exists(in(folder, sweep_manifest_name), error))
     refuse(
         folder, "the folder holds no finished sweep", std::string("it has no ") + sweep_manifest_name,
@@ -59,6 +62,18 @@ std::string name_of(const Json& manifest) {
 }
 
 }  // namespace
+
+std::vector<std::string> distinct_folders(const std::vector<std::string>& folders, std::vector<std::string>& repeated) {
+  std::vector<std::string> distinct;
+  for (const std::string& folder : folders) {
+    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const std::string& other) {
+      std::error_code error;
+      return folder == other || fs::equivalent(folder, other, error);
+    });
+    (known ? repeated : distinct).push_back(folder);
+  }
+  return distinct;
+}
 
 Json merge_sweeps(const std::vector<std::string>& folders, const std::string& out, bool force) {
   std::error_code error;
@@ -111,7 +126,7 @@ Json merge_sweeps(const std::vector<std::string>& folders, const std::string& ou
   for (const std::string& folder : folders) {
     std::string lines;
     for (const std::string& line : lines_of(read_bytes(in(folder, SweepJournal::file_name), "journal"))) {
-      const Json entry = Json::parse(line, nullptr, false);
+      const Json entry = is_sound_journal_line(line) ? Json::parse(line, nullptr, false) : Json();
       const bool is_known = entry.is_object() && (ids.count(entry.value("id", "")) > 0 || ids.count(entry.value("checked", "")) > 0);
       if (is_known) lines += line + "\n";
     }

@@ -7,6 +7,9 @@
 
 namespace bump {
 
+/// The folders, each once: `repeated` gets those that were named again.
+std::vector<std::string> distinct_folders(const std::vector<std::string>& folders, std::vector<std::string>& repeated);
+
 /// `folders`: finished shards of one sweep, which cover it; points that several of them have must agree. Returns the manifest. Throws
 /// Error(input): a folder that is no finished sweep, of another specification, or of another program; points that are missing, or that
 /// differ; an output folder in use (`force` replaces an earlier sweep).

@@ -107,9 +107,10 @@ std::string SweepPlan::id_of(const SpecPoint& point, const Scene& scene, const C
   std::string text = prefix_ + "\n" + spec_.schemes[point.scheme]->page().id + "\n" + std::to_string(scene.width) + "x" +
                      std::to_string(scene.height) + "\n";
   for (const Scene::InputFile& input : scene.inputs) text += input.path + " " + input.sha256 + "\n";
+  const Scheme& scheme = *spec_.schemes[point.scheme];
   for (const auto& [key, entry] : configuration.entries()) {
     const ParameterValue& fallback = configuration.parameters().find(key)->fallback;
-    if (!(entry.value == fallback)) text += key + "=" + to_string(entry.value) + "\n";
+    if (!(entry.value == fallback) && concerns(key, scheme)) text += key + "=" + to_string(entry.value) + "\n";
   }
   return hash_of(text).substr(0, digits_of_id);
 }
@@ -137,7 +138,8 @@ std::string SweepPlan::describe(std::size_t point) const {
   const PointGroup& group = group_of(point);
   std::string text =
       "point " + std::to_string(point) + " (" + group.scheme->page().id + " on " + spec_.scenes[points_[point].spec.scene].name;
-  for (std::size_t i = 0; i < spec_.keys.size(); ++i) text += ", " + spec_.keys[i] + " = " + to_string(points_[point].spec.values[i]);
+  for (std::size_t i = 0; i < spec_.keys.size(); ++i)
+    if (concerns(spec_.keys[i], *group.scheme)) text += ", " + spec_.keys[i] + " = " + to_string(points_[point].spec.values[i]);
   return text + ")";
 }
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <tuple>
 
 #include "testbench/experiments/child_processes.h"
@@ -39,6 +40,19 @@ Error fault(const std::string& what, const std::string& why) {
   return Error(ErrorKind::internal, {what, {}, why, "a smaller frame or fewer processes with --jobs 1; the same command tries again"});
 }
 
+/// Tables of another part of a sweep are results of their own: those of a shard must not replace them.
+void refuse_other_shard(const SweepRunOptions& options) {
+  const std::optional<Shard> found = finished_shard(options.out);
+  if (!found || options.shard.of == 1 || (found->index == options.shard.index && found->of == options.shard.of)) return;
+  const auto name = [](const Shard& shard) {
+    return shard.of == 1 ? std::string("a whole sweep") : fmt::format("shard {}/{}", shard.index, shard.of);
+  };
+  throw Error({"the output folder holds " + name(*found) + ", finished",
+               {options.out},
+               name(options.shard) + " would replace its tables by fewer rows",
+               "another folder with --out, or --force to forget what is there"});
+}
+
 class SweepExecution {
  public:
   SweepExecution(const SweepPlan& plan, const SweepRunOptions& options)
@@ -49,6 +63,7 @@ class SweepExecution {
   }
 
   SweepSummary run() {
+    summary_.damages = journal_.damages();
     std::vector<Item> items = pending();
     add_checks(items);
     sort_by_references(items);
@@ -217,7 +232,7 @@ class SweepExecution {
                                           {},
                                           differs,
                                           "report this with the command that led to it"});
-    journal_.append(Json{{"checked", id_of(point)}}.dump() + "\n");
+    journal_.append(journal_line(Json{{"checked", id_of(point)}}.dump()));
   }
 
   void write_tables() {
@@ -263,6 +278,7 @@ Shard shard_of(const std::string& text) {
 }
 
 SweepSummary run_sweep(const SweepPlan& plan, const SweepRunOptions& options) {
+  if (!options.anew) refuse_other_shard(options);
   return SweepExecution(plan, options).run();
 }
 

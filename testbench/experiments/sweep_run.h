@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "testbench/experiments/sweep_plan.h"
 
@@ -38,6 +39,7 @@ struct SweepSummary {
   std::size_t known = 0;   ///< of them, from the journal
   std::size_t runs = 0, dated = 0, checked = 0;
   std::map<std::string, std::size_t> statuses;
+  std::vector<std::string> damages;  ///< lines of the journal that do not count; their points ran again
   nlohmann::ordered_json manifest;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "testbench/experiments/sweep_sections.h"
 #include "testbench/scene/config_file.h"
@@ -51,6 +52,7 @@ class SpecReader {
       read_section(entry);
     }
     if (!has_sections) add_points({{}}, document.where);
+    refuse_idle_keys(Location(spec_.file));
     finish();
     return std::move(spec_);
   }
@@ -169,10 +171,25 @@ class SpecReader {
       else if (assignment.key == height_key)
         added.height = static_cast<int>(std::get<std::int64_t>(assignment.value));
       else
-        set.emplace_back(index_of_key(assignment.key), assignment.value);
+        add_setting(assignment, *spec_.schemes[added.scheme], set);
     }
     spec_.points.push_back(std::move(added));
     settings_.push_back(std::move(set));
+  }
+
+  /// What another scheme alone declares is no setting of this point.
+  void add_setting(const Assignment& assignment, const Scheme& scheme, std::vector<std::pair<std::size_t, ParameterValue>>& set) {
+    const std::size_t key = index_of_key(assignment.key);
+    if (!concerns(assignment.key, scheme)) return;
+    set.emplace_back(key, assignment.value);
+    used_keys_.insert(key);
+  }
+
+  void refuse_idle_keys(const Location& where) const {
+    for (std::size_t i = 0; i < spec_.keys.size(); ++i)
+      if (used_keys_.count(i) == 0)
+        throw Error({"no point of the sweep has a scheme with the parameter " + spec_.keys[i], where, "only that scheme reads it",
+                     "schemes = [..., \"" + spec_.keys[i].substr(0, spec_.keys[i].find('.')) + "\"]"});
   }
 
   /// What a point leaves open is the base's.
@@ -191,10 +208,18 @@ class SpecReader {
   std::vector<ParameterValue> common_scenes_, common_schemes_;
   int base_width_ = 0, base_height_ = 0;
   std::map<std::string, std::size_t> key_index_;
+  std::set<std::size_t> used_keys_;                                            ///< by some point whose scheme has them
   std::vector<std::vector<std::pair<std::size_t, ParameterValue>>> settings_;  ///< of each point, by key
 };
 
 }  // namespace
+
+bool concerns(const std::string& key, const Scheme& scheme) {
+  const std::string module = key.substr(0, key.find('.'));
+  if (module == scheme.page().id) return true;
+  const std::vector<const Scheme*> all = all_schemes();
+  return std::none_of(all.begin(), all.end(), [&](const Scheme* other) { return other->page().id == module; });
+}
 
 SweepSpec read_sweep_spec(const std::string& path, const Parameters& parameters, const std::vector<std::string>& scene_folders) {
   return SpecReader(path, parameters, scene_folders).read();

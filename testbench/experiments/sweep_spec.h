@@ -19,7 +19,7 @@ struct SweptScene {
 struct SpecPoint {
   std::size_t scene = 0, scheme = 0;  ///< index into the specification's lists
   int width = 0, height = 0;
-  std::vector<ParameterValue> values;  ///< of the swept parameters
+  std::vector<ParameterValue> values;  ///< of the swept parameters; of those of other schemes the base's
 };
 
 struct SweepSpec {
@@ -31,6 +31,9 @@ struct SweepSpec {
   std::vector<std::string> keys;  ///< swept parameters, in the order in which the specification names them
   std::vector<SpecPoint> points;  ///< in order; some may be the same
 };
+
+/// False for a parameter that another scheme alone declares: keys of a scheme's parameters start with its id.
+bool concerns(const std::string& key, const Scheme& scheme);
 
 /// `scene_folders`: of scenes by name; other scenes are paths, relative ones from the specification's folder. Throws Error(input) with
 /// file, line and column.

@@ -1,6 +1,7 @@
 #include "testbench/experiments/sweep_tables.h"
 
 #include <filesystem>
+#include <fstream>
 
 #include "datapath/error.h"
 #include "testbench/experiments/sweep_columns.h"
@@ -45,7 +46,9 @@ Json sweep_row(const SweepPlan& plan, std::size_t point, const Json& line) {
   row[scheme_key] = plan.spec().schemes[planned.spec.scheme]->page().id;
   row[width_key] = scene.width;
   row[height_key] = scene.height;
-  for (std::size_t i = 0; i < plan.spec().keys.size(); ++i) row[plan.spec().keys[i]] = value_json(planned.spec.values[i]);
+  for (std::size_t i = 0; i < plan.spec().keys.size(); ++i)
+    row[plan.spec().keys[i]] =
+        concerns(plan.spec().keys[i], *plan.spec().schemes[planned.spec.scheme]) ? value_json(planned.spec.values[i]) : Json(nullptr);
   row["status"] = line["status"];
   const std::vector<std::string>& columns = sweep_columns();
   for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = line["values"].is_array() ? line["values"].at(i) : Json(nullptr);
@@ -100,6 +103,16 @@ void SweepTables::write(const std::string& folder, const Json& manifest) const {
   write_output_file(path(sweep_lines_name), lines_, true, "--out");
   write_output_file(path(sweep_csv_name), csv_, true, "--out");
   write_output_file(path(sweep_manifest_name), manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", true, "--out");
+}
+
+std::optional<Shard> finished_shard(const std::string& folder) {
+  std::ifstream file(fs::path(folder) / sweep_manifest_name, std::ios::binary);
+  if (!file) return std::nullopt;
+  const Json manifest = Json::parse(file, nullptr, false);
+  if (!manifest.is_object() || manifest.value("schema", "") != sweep_schema) return std::nullopt;
+  const Json shard = manifest.value("shard", Json());
+  if (!shard.is_object()) return Shard{};
+  return Shard{shard.value("index", 1), shard.value("of", 1)};
 }
 
 void remove_sweep_tables(const std::string& folder) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ class SweepTables {
   std::size_t rows_ = 0;
   std::map<std::string, std::size_t> statuses_;
 };
+
+/// The part of a sweep whose tables the folder holds; missing if it holds no finished sweep.
+std::optional<Shard> finished_shard(const std::string& folder);
 
 /// Before a sweep goes on, so that no folder looks complete that is not.
 void remove_sweep_tables(const std::string& folder);

@@ -7,6 +7,7 @@
 #include "testbench/experiments/measured_run.h"
 #include "testbench/experiments/retime.h"
 #include "testbench/experiments/sweep_columns.h"
+#include "testbench/reference/row_bands.h"
 #include "testbench/results/error_json.h"
 #include "testbench/results/result_json.h"
 
@@ -18,12 +19,14 @@ using Json = nlohmann::ordered_json;
 
 /// Points that are dated between two entries in the journal.
 constexpr std::size_t points_together = 512;
+/// Of them, lines that a thread makes at a time.
+constexpr int lines_together = 32;
 /// How many points take as long to date as a run takes, roughly: for the share of the work that is done.
 constexpr double points_of_a_run = 300;
 constexpr double simulation_share = 0.9;
 
 std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return journal_line(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::string result_line(const std::string& id, const RunReport& report, const std::vector<std::string>& warnings) {
@@ -75,6 +78,9 @@ class DatedReport {
     report_.result = &result_;
     report_.configuration = nullptr;
   }
+  /// For another thread.
+  DatedReport(const DatedReport& other) : result_(other.result_), report_(other.report_) { report_.result = &result_; }
+  DatedReport& operator=(const DatedReport&) = delete;
 
   const RunReport& with(const SweepRow& row, const DatapathSchedules& schedules) {
     result_.timing = {};
@@ -169,15 +175,22 @@ class GroupDating {
         for (const std::size_t index : chosen) date(points, {index}, lines);
       return;
     }
+    std::vector<DatapathSchedules> schedules(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::string& id = id_of(points[chosen[i]]);
-      if (rows[i].error) {
-        lines[chosen[i]] = failure_line(id, *rows[i].error);
-        continue;
-      }
+      if (rows[i].error) continue;
       plan_.apply(points[chosen[i]], configuration_);
-      lines[chosen[i]] = result_line(id, report_.with(rows[i], retimer_.timing_of(configuration_).schedules), recorded_.warnings());
+      schedules[i] = retimer_.timing_of(configuration_).schedules;
     }
+    // Making a line of a row takes longer than dating it.
+    for_row_bands(static_cast<int>(rows.size()), lines_together, options_.jobs, [&](int first, int end) {
+      DatedReport report(report_);
+      for (int at = first; at < end; ++at) {
+        const auto i = static_cast<std::size_t>(at);
+        const std::string& id = id_of(points[chosen[i]]);
+        lines[chosen[i]] =
+            rows[i].error ? failure_line(id, *rows[i].error) : result_line(id, report.with(rows[i], schedules[i]), recorded_.warnings());
+      }
+    });
   }
 
   const SweepPlan& plan_;

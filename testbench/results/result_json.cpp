@@ -221,6 +221,7 @@ Json to_json(const RunReport& report) {
 
   json["quality"] = quality_json(report);
   json["angular_error"] = {{"hardware", angular(result.angular_errors)}, {"double", angular(result.angular_errors_exact)}};
+  json["warnings"] = report.warnings;
   json["inputs"] = Json::array();
   for (const Scene::InputFile& input : scene.inputs) json["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});
   if (report.configuration) json["config"] = configuration_json(*report.configuration);

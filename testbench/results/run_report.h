@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "channels/parameters.h"
 #include "schemes/scheme.h"
@@ -34,6 +35,7 @@ struct RunReport {
   std::string engine = "dated";
   std::string status = "ok";
   std::string resolved_toml;  ///< text of config.resolved.toml
+  std::vector<std::string> warnings{};  ///< of the scene's reader, of the scheme on this scene, and of the run: one sentence each
   std::string out;            ///< the result folder, for the summary; empty when nothing is written
   HostFacts host;
 

@@ -64,13 +64,17 @@ Location StrictTable::where(const std::string& key) const {
   return entry == nullptr ? value_.where : entry->value.where;
 }
 
+std::string StrictTable::full_name(const std::string& key) const {
+  return name_.rfind("the ", 0) == 0 ? key : name_ + "." + key;
+}
+
 const TomlValue* StrictTable::find(const std::string& key) const {
   const TomlEntry* entry = value_.find(key);
   return entry == nullptr ? nullptr : &entry->value;
 }
 
 void StrictTable::reject(const std::string& key, const std::string& problem, const std::string& why, const std::string& try_this) const {
-  throw Error({name_ + "." + key + " " + problem, where(key), why, try_this});
+  throw Error({full_name(key) + " " + problem, where(key), why, try_this});
 }
 
 const TomlValue& StrictTable::required(const std::string& key) const {
@@ -81,7 +85,7 @@ const TomlValue& StrictTable::required(const std::string& key) const {
 
 double StrictTable::checked(const std::string& key, const TomlValue& value, double low, double high, bool whole,
                             const TomlValue* list) const {
-  const std::string full = name_ + "." + key;
+  const std::string full = full_name(key);
   const std::string wanted = whole ? "a whole number" : "a number";
   const std::string advice = list != nullptr ? key + " = " + allowed_list(*list, low, high, whole) : wanted + " from " + range(low, high);
   if (!value.is_number() || (whole && value.kind != TomlValue::Kind::integer)) {

@@ -15,8 +15,8 @@ namespace bump {
 
 class StrictTable {
  public:
-  /// `name` is used in messages ("camera"). `value` must outlive this. Throws Error(input) if it is no table or has another key than
-  /// `keys`.
+  /// `name` is used in messages: "camera", or "the scene" for a whole file. `value` must outlive this. Throws Error(input) if it is no
+  /// table or has another key than `keys`.
   StrictTable(const TomlValue& value, std::string name, std::vector<std::string> keys);
 
   bool has(const std::string& key) const { return value_.find(key) != nullptr; }
@@ -49,6 +49,8 @@ class StrictTable {
   static constexpr double largest = 1e9;
 
  private:
+  /// "camera.eye"; of a whole file ("the scene") the key alone.
+  std::string full_name(const std::string& key) const;
   const TomlValue& required(const std::string& key) const;
   /// `list` is the list that the value is an item of, for the advice.
   double checked(const std::string& key, const TomlValue& value, double low, double high, bool whole,

@@ -1,12 +1,16 @@
 // Schemes with their prices, break-evens, and the report in its formats.
 
+#include <fmt/core.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "price_bench.h"
 #include "system/simulation.h"
+#include "testbench/experiments/fit_cost.h"
 #include "testbench/experiments/price_report.h"
 #include "testbench/experiments/table1_netlists.h"
 
@@ -87,7 +91,7 @@ TEST_CASE("every scheme has its price in the shipped tables, operator for operat
         CHECK(count_of(*sheet, CostGroup::dividers) == counted.dividers + counted.square_roots);
         CHECK(count_of(*sheet, CostGroup::tables) >= counted.tables + counted.maps + counted.second_ports);
         CHECK(count_of(*sheet, CostGroup::registers) > 0);
-        CHECK(sheet->table_bits() >= static_cast<double>(counted.table_bits));
+        CHECK(sheet->table_bits() == static_cast<double>(counted.table_bits));
       }
       for (const PricedItem& item : priced.area->items) {
         INFO(name_of(item.item.component));
@@ -111,6 +115,82 @@ TEST_CASE("every scheme has its price in the shipped tables, operator for operat
     for (int g = 0; g < static_cast<int>(CostGroup::count); ++g) groups += price.of(Quantity::area, static_cast<CostGroup>(g)).value();
     CHECK(groups == Approx(area));
   }
+}
+
+TEST_CASE("bits are stored once, however many ports read them, in price and in fit") {
+  int two_ported = 0;
+  for (const Scheme* scheme : all_schemes()) {
+    const std::string key = scheme->page().id + ".ports";
+    if (all_parameters().find(key) == nullptr) continue;
+    INFO(key);
+    ++two_ported;
+    const Configuration one_port = configured(), two_ports = configured({{key, "2"}});
+    const SchemePrice one = price_scheme(*scheme, one_port, shipped()), two = price_scheme(*scheme, two_ports, shipped());
+    CHECK(two.table_bits().value() < one.table_bits().value());
+    CHECK(two.table_reads().value() == one.table_reads().value());
+    CHECK(two.port_prices().value() > 0);
+    // Made of gates, what is not stored twice is built twice all the same.
+    CHECK(two.of(Quantity::area, CostGroup::tables).value() == Approx(one.of(Quantity::area, CostGroup::tables).value()));
+    for (const Configuration* configuration : {&one_port, &two_ports}) {
+      const DesignSize size = design_size(*scheme, *configuration, shipped());
+      const SchemePrice& price = configuration == &one_port ? one : two;
+      CHECK(static_cast<double>(size.table_bits) == price.table_bits().value());
+      CHECK(size.area.value() == price.total(Quantity::area, false).value());
+    }
+  }
+  CHECK(two_ported > 5);
+}
+
+TEST_CASE("a table without a price for second ports has none for a scheme that needs them") {
+  const std::vector<PriceTable> tables = {without("area.second_port")};
+  const PriceBook book = make_price_book(tables);
+  CHECK(price_scheme(find_scheme("yp6"), configured(), book).total(Quantity::area, false).has_value());
+  CHECK_THROWS_WITH(price_scheme(find_scheme("yp6"), configured({{"yp6.ports", "2"}}), book), Catch::Contains("has no area.second_port"));
+}
+
+TEST_CASE("an excluded component turns the ranking at the price that the break-even names, and at no other") {
+  const std::string file = std::string(BUMP_SOURCE_DIR) + "/testbench/prices/horowitz45.toml";
+  std::ifstream stream(file);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  /// The shipped energies with a price for a component that they exclude.
+  const auto with_price = [&](Component component, double price) {
+    const std::string head = std::string("[energy.") + name_of(component) + "]\n";
+    const std::size_t begin = text.find(head), end = std::min(text.find("\n[", begin), text.size());
+    REQUIRE(begin != std::string::npos);
+    std::string changed = text;
+    const std::string form = has_width(component) ? "form = \"linear\"\nper_width = " : "form = \"constant\"\nvalue = ";
+    return PriceTable(
+        changed.replace(begin, end - begin, head + form + fmt::format("{:.17g}", price) + "\nsource = \"a test\"\naccuracy = \"a test\"\n"),
+        file, "changed");
+  };
+  const Configuration configuration = configured();
+  int turns = 0;
+  for (const char* a : {"lee2007", "n3", "exact_polar", "ya4"}) {
+    for (const char* b : {"kim2001", "lns", "yp2", "lee2007_corrected"}) {
+      const SchemePrice first = price_scheme(find_scheme(a), configuration, shipped()),
+                        second = price_scheme(find_scheme(b), configuration, shipped());
+      for (const ExcludedEffect& effect : excluded_effects(first, second)) {
+        INFO(a << " " << b << " " << name_of(effect.component));
+        REQUIRE(effect.quantity == Quantity::energy);  // the areas exclude nothing
+        const auto lead = [&](double price) {
+          const std::vector<PriceTable> tables = {with_price(effect.component, price)};
+          const PriceBook book = make_price_book(tables);
+          return price_scheme(find_scheme(b), configuration, book).total(Quantity::energy, false).value() -
+                 price_scheme(find_scheme(a), configuration, book).total(Quantity::energy, false).value();
+        };
+        const double now = lead(1e-12);
+        CHECK((now > 0 ? 0 : 1) == effect.ahead);
+        if (effect.at) {
+          ++turns;
+          CHECK(lead(*effect.at) == Approx(0).margin(1e-6));
+          CHECK(lead(2 * *effect.at) * now < 0);
+        } else {
+          CHECK(lead(1000) * now > 0);
+        }
+      }
+    }
+  }
+  CHECK(turns > 0);
 }
 
 TEST_CASE("a unit of few bits costs less, and so does one that shares its multipliers") {
@@ -286,6 +366,10 @@ TEST_CASE("a report names the table and the accuracy of every total") {
     }
     CHECK(text.find("Break-even: lee2007 against peercy1997") != std::string::npos);
     CHECK(text.find("In no total, because the table excludes them: clamp") != std::string::npos);
+    // Every place that names the table of energies beside a total names what is missing from it.
+    CHECK(occurrences(text, "by horowitz45") == occurrences(text, "by horowitz45, without clamp") + 1);  // but for the head
+    CHECK(text.find("In no total, whatever the table: clock trees") != std::string::npos);
+    CHECK(text.find("is in no energy (lee2007 has ") != std::string::npos);
   }
   const Json json = Json::parse(format_price_report(report, "json", false));
   CHECK(json["schema"] == price_schema);
@@ -294,13 +378,17 @@ TEST_CASE("a report names the table and the accuracy of every total") {
       CHECK(scheme[quantity]["bump_mapping"] > 0);
       CHECK_FALSE(scheme[quantity]["table"].get<std::string>().empty());
       CHECK_FALSE(scheme[quantity]["accuracy"].get<std::string>().empty());
+      CHECK(scheme[quantity]["without"].empty() == (std::string(quantity) == "area"));
     }
   }
   CHECK(json["break_even"].size() == 4);
   std::istringstream csv(format_price_report(report, "csv", false));
   std::string line;
   std::size_t totals = 0;
-  while (std::getline(csv, line)) totals += occurrences(line, ",bump_mapping,total,");
+  while (std::getline(csv, line)) {
+    totals += occurrences(line, ",bump_mapping,total,");
+    if (occurrences(line, ",bump_mapping,total,energy") > 0) CHECK(line.find("; without ") != std::string::npos);
+  }
   CHECK(totals == 2 * all_schemes().size());
 }
 

@@ -27,7 +27,7 @@ std::vector<std::string> ids_of(const SweepFiles& files, const std::string& text
 }
 
 std::string line_of(const std::string& id) {
-  return "{\"id\": \"" + id + "\", \"status\": \"ok\", \"reason\": null, \"values\": [], \"warnings\": []}\n";
+  return journal_line("{\"id\": \"" + id + "\", \"status\": \"ok\", \"reason\": null, \"values\": [], \"warnings\": []}");
 }
 
 }  // namespace
@@ -84,6 +84,30 @@ TEST_CASE("points that differ in time and caches alone share a simulation") {
     CHECK(group.varies_caches == (recorded.choice("texture_fetch.filter") == "bilinear"));
   }
   CHECK(members == plan.points().size());
+}
+
+TEST_CASE("what one scheme alone declares makes no points of the others") {
+  const SweepFiles files;
+  const std::string both = "scenes = [\"ball.toml\"]\nschemes = [\"lee2007\", \"yp6\"]\n";
+  const SweepPlan plan(files.spec(both + "[grid]\nyp6.word_bits = [9, 10, 11]\nfifos.depth = [1, 2]\n"), "1");
+  std::size_t of_lee = 0, of_yp6 = 0;
+  for (std::size_t i = 0; i < plan.points().size(); ++i) {
+    const bool is_lee = plan.group_of(i).scheme->page().id == "lee2007";
+    (is_lee ? of_lee : of_yp6) += 1;
+    CHECK((plan.describe(i).find("yp6.word_bits") == std::string::npos) == is_lee);
+    CHECK(plan.configuration_of(i).integer("yp6.word_bits") == (is_lee ? 12 : 9 + static_cast<int>(i - 2) / 2));
+  }
+  CHECK(of_lee == 2);
+  CHECK(of_yp6 == 6);
+  CHECK(plan.repeated() == 4);
+  // Nor do they change the names: a point of lee2007 is the same whatever yp6 is set to.
+  const auto plain = ids_of(files, both + "[grid]\nfifos.depth = [1, 2]\n");
+  CHECK(plan.points()[0].id == plain[0]);
+  CHECK(plan.points()[1].id == plain[1]);
+  const auto based = ids_of(files, both + "[base]\nyp6.ports = 2\n[grid]\nfifos.depth = [1, 2]\n");
+  CHECK(based[0] == plain[0]);
+  CHECK(based[2] != plain[2]);
+  CHECK_THROWS_WITH(files.spec(heading + "[grid]\nyp6.word_bits = [9, 10]\n"), Catch::Contains("no point of the sweep has a scheme"));
 }
 
 TEST_CASE("points that are the same are kept once") {
@@ -159,6 +183,39 @@ TEST_CASE("a journal keeps whole lines, whatever a process that was killed has l
   CHECK_FALSE(journal.has("c"));
 }
 
+TEST_CASE("a line that is torn or changed does not count, and is named") {
+  const SweepFiles files;
+  const std::string folder = files.path("out"), file = std::string("out/") + SweepJournal::file_name;
+  SweepJournal(folder, false).append(line_of("a") + line_of("b") + line_of("c"));
+  CHECK(SweepJournal(folder, false).damages().empty());
+  const std::string whole = files.read(file), b = line_of("b");
+  const std::size_t at = whole.find(b);
+  REQUIRE(at != std::string::npos);
+  for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+    std::string changed = whole;
+    changed[at + i] = changed[at + i] == '0' ? '1' : '0';
+    files.write(file, changed);
+    const SweepJournal journal(folder, false);
+    INFO("character " << i << " of " << b);
+    CHECK(journal.has("a"));
+    CHECK_FALSE(journal.has("b"));
+    CHECK(journal.has("c"));
+    REQUIRE(journal.damages().size() == 1);
+    CHECK_THAT(journal.damages().front(), Catch::Contains(SweepJournal::file_name) && Catch::Contains("line 4, is damaged"));
+  }
+  // Cut off anywhere in its last line, it has all but that.
+  for (std::size_t size = whole.find(line_of("c")) + 1; size < whole.size() - 1; ++size) {
+    files.write(file, whole.substr(0, size));
+    const SweepJournal journal(folder, false);
+    CHECK(journal.has("b"));
+    CHECK_FALSE(journal.has("c"));
+    CHECK(journal.damages().size() == 1);
+  }
+  files.write(file, "{\"journal\": \"bumpsim-sweep\", \"version\": 1}\n\n{\"id\": \"a\"}\n");
+  CHECK_THROWS_WITH(SweepJournal(folder, false), Catch::Contains("another version"));
+  CHECK_FALSE(SweepJournal(folder, true).has("a"));
+}
+
 TEST_CASE("several processes append to one journal") {
   const SweepFiles files;
   SweepJournal journal(files.path("out"), false);
@@ -179,7 +236,7 @@ TEST_CASE("several processes append to one journal") {
 
 TEST_CASE("a journal is begun anew when asked, and only where it may be") {
   const SweepFiles files;
-  SweepJournal(files.path("out"), false).append(line_of("a") + "{\"checked\": \"a\"}\n");
+  SweepJournal(files.path("out"), false).append(line_of("a") + journal_line("{\"checked\": \"a\"}"));
   CHECK(SweepJournal(files.path("out"), false).is_checked("a"));
   CHECK_FALSE(SweepJournal(files.path("out"), true).has("a"));
   CHECK_FALSE(SweepJournal(files.path("out"), false).has("a"));

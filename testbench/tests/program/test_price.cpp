@@ -74,6 +74,9 @@ TEST_CASE("wrong questions about prices are explained") {
                "title = \"t\"\ntechnology = \"t\"\nsource = \"s\"\n[area]\nunit = \"NAND2\"\naccuracy = \"a\"\n"
                "[area.adder]\nform = \"linear\"\nper_width = 8\nsource = \"s\"\naccuracy = \"a\"\n");
   folder.write("broken.toml", "title = \"t\"\n[area\n");
+  folder.write(
+      "keys.toml",
+      "title = \"t\"\ntechnology = \"t\"\nsource = \"s\"\n[area]\nunit = \"NAND2\"\naccuracy = \"a\"\n[area.adder]\nforme = \"linear\"\n");
   folder.write("unit.toml", "title = \"t\"\ntechnology = \"t\"\nsource = \"s\"\n[area]\nunit = \"um2\"\naccuracy = \"a\"\n");
   const std::pair<const char*, const char*> cases[] = {
       {"price lee2008", "lee2007"},
@@ -84,6 +87,9 @@ TEST_CASE("wrong questions about prices are explained") {
       {"price lee2007 --prices broken.toml", "broken.toml:2"},
       {"price lee2007 --prices unit.toml", "unit.toml:5"},
       {"price --break-even lee2007", "it compares two"},
+      {"price --break-even lee2007,lee2007", "--break-even names lee2007 twice"},
+      {"price --break-even lee2007,lee2007", "try: --break-even lee2007,peercy1997"},
+      {"price lee2007 --prices keys.toml", "has the keys form, source, technology, accuracy, rule, value, base, per_width, coefficient"},
       {"price --break-even lee2007,peercy1997 --prices poor.toml", "poor"},
       {"price lee2007 --scene nowhere", "nowhere"},
       {"price lee2007 --real-bits 99", "real-bits"},
@@ -118,8 +124,8 @@ TEST_CASE("of several schemes the one without a price is a row, and the exit cod
 TEST_CASE("the prices that the README shows are those that the program prints") {
   const TemporaryFolder folder;
   const std::string page = read_file(fs::path(BUMP_SOURCE_DIR) / "README.md");
-  // | `scheme`, `setting` | area | of which tables, registers | energy | of which tables |
-  const std::regex row(R"(\n\| `(\w+)`(?:, `([\w=]+)`)? \| ([\d.]+) k \| [\d.]+ k, [\d.]+ k \| ([\d.]+) \| [\d.]+ \|(?=\n))");
+  // | `scheme`, `setting` | area | of which tables, registers | energy | of which tables, registers |
+  const std::regex row(R"(\n\| `(\w+)`(?:, `([\w=]+)`)? \| ([\d.]+) k \| [\d.]+ k, [\d.]+ k \| ([\d.]+) \| [\d.]+, [\d.]+ \|(?=\n))");
   int rows = 0;
   for (std::sregex_iterator found(page.begin(), page.end(), row), end; found != end; ++found, ++rows) {
     const std::string scheme = (*found)[1], setting = (*found)[2];

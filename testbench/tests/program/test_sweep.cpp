@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "program_runner.h"
+#include "testbench/experiments/sweep_journal.h"
+#include "testbench/program/version.h"
 
 using namespace bump;
 using Json = nlohmann::json;
@@ -141,6 +144,7 @@ TEST_CASE("every row says what a run of its point says, whether it was simulated
     std::string settings;
     for (const auto& key : manifest["parameters"]) {
       const Json& value = row[key.get<std::string>()];
+      if (value.is_null()) continue;  // another scheme's
       settings += " --set " + key.get<std::string>() + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
     }
     const Outcome run =
@@ -293,7 +297,10 @@ TEST_CASE("a point that was dated wrongly ends the sweep with exit code 4 and it
   const std::string cycles = "\"values\":[" + rows[1]["cycles"].dump() + ",";
   const auto at = journal.find(cycles, journal.find(rows[1]["id"].get<std::string>()));
   REQUIRE(at != std::string::npos);
+  // A line that its sum does not give away, as a fault of the program would leave it.
   journal.replace(at, cycles.size(), "\"values\":[7,");
+  const std::size_t sum = journal.find(",\"sum\"", at), begin = journal.rfind('\n', at) + 1, end = journal.find('\n', at);
+  journal.replace(begin, end + 1 - begin, journal_line(journal.substr(begin, sum - begin) + "}"));
   folder.write("s/journal.jsonl", journal);
   const Outcome checked = bumpsim("sweep spec.toml --out s --check all", folder.path());
   INFO(checked.err);
@@ -301,6 +308,126 @@ TEST_CASE("a point that was dated wrongly ends the sweep with exit code 4 and it
   CHECK(checked.err.find("point 1 (lee2007 on ball.toml, memory.latency = 50)") != std::string::npos);
   CHECK(checked.err.find("cycles is 7, and " + rows[1]["cycles"].dump()) != std::string::npos);
   for (const std::string& table : tables) CHECK_FALSE(fs::exists(folder.path() / "s" / table));
+}
+
+TEST_CASE("a changed line of the journal is named, and its point runs again") {
+  TemporaryFolder folder;
+  with_scenes(folder).write("spec.toml", "scenes = [\"ball.toml\"]\nschemes = [\"lee2007\"]\n[grid]\nmemory.latency = [5, 50, 500]\n");
+  REQUIRE(bumpsim("sweep spec.toml --out s", folder.path()).code == 0);
+  const std::string rows = read_file(folder.path() / "s/points.csv");
+  std::string journal = read_file(folder.path() / "s/journal.jsonl");
+  const std::size_t at = journal.find("\"values\":[");
+  REQUIRE(at != std::string::npos);
+  journal[at + 11] = journal[at + 11] == '9' ? '8' : '9';
+  folder.write("s/journal.jsonl", journal);
+  const Outcome again = bumpsim("sweep spec.toml --out s", folder.path());
+  INFO(again.err);
+  CHECK(again.code == 0);
+  CHECK(again.err.find("journal.jsonl, line ") != std::string::npos);
+  CHECK(again.err.find("is damaged: what it was about ran again") != std::string::npos);
+  CHECK(counted(again, "finished before") == 2);
+  CHECK((read_file(folder.path() / "s/points.csv") == rows));
+}
+
+TEST_CASE("a shard does not replace the tables of a whole sweep, or of another shard") {
+  TemporaryFolder folder;
+  with_scenes(folder).write("spec.toml",
+                            "scenes = [\"ball.toml\"]\nschemes = [\"phong1975\"]\nquality = false\n[grid]\nfifos.depth = [1, 2, 4]\n");
+  REQUIRE(bumpsim("sweep spec.toml --out s", folder.path()).code == 0);
+  const std::string rows = read_file(folder.path() / "s/points.csv");
+  const Outcome shard = bumpsim("sweep spec.toml --out s --shard 1/3", folder.path());
+  CHECK(shard.code == 2);
+  CHECK(shard.err.find("the output folder holds a whole sweep, finished") != std::string::npos);
+  CHECK(shard.err.find("--force") != std::string::npos);
+  CHECK((read_file(folder.path() / "s/points.csv") == rows));
+  REQUIRE(bumpsim("sweep spec.toml --out part --shard 1/3", folder.path()).code == 0);
+  CHECK(bumpsim("sweep spec.toml --out part --shard 1/3", folder.path()).code == 0);
+  CHECK(bumpsim("sweep spec.toml --out part --shard 2/3", folder.path()).err.find("holds shard 1/3, finished") != std::string::npos);
+  CHECK(bumpsim("sweep spec.toml --out part --shard 2/3 --force", folder.path()).code == 0);
+  // The whole has the rows of the part, too.
+  CHECK(bumpsim("sweep spec.toml --out part", folder.path()).code == 0);
+  CHECK((read_file(folder.path() / "part/points.csv") == rows));
+}
+
+TEST_CASE("a parameter of one scheme makes no rows of another, and is empty there") {
+  TemporaryFolder folder;
+  with_scenes(folder).write("spec.toml",
+                            "scenes = [\"ball.toml\"]\nschemes = [\"phong1975\", \"yp6\"]\nquality = false\n[grid]\nyp6.ports = [1, 2]\n");
+  const Outcome swept = bumpsim("sweep spec.toml --out s", folder.path());
+  INFO(swept.err);
+  REQUIRE(swept.code == 0);
+  const std::vector<Json> rows = rows_of(folder.path() / "s");
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0]["yp6.ports"].is_null());
+  CHECK(rows[1]["yp6.ports"] == 1);
+  CHECK(rows[2]["yp6.ports"] == 2);
+  // Bits mean the same here, in a price and in Table 1: stored once.
+  CHECK(rows[2]["table_bits"] < rows[1]["table_bits"]);
+  for (const std::size_t i : {1U, 2U}) {
+    const std::string setting = " --set yp6.ports=" + rows[i]["yp6.ports"].dump();
+    const Json price = Json::parse(bumpsim("price yp6 --json" + setting, folder.path()).out);
+    CHECK(price["schemes"][0]["table_bits"] == rows[i]["table_bits"]);
+  }
+}
+
+TEST_CASE("what a run would warn of stands in the row and in the result") {
+  TemporaryFolder folder;
+  std::string aside = tiny_scene();  // seen along the z axis, the camera's axes are the object's
+  aside.replace(aside.find("eye = [0, 0, 3]"), 15, "eye = [2, -2, 1]");
+  folder.write("ball.toml", aside);
+  folder.write("spec.toml",
+               "scenes = [\"ball.toml\"]\nschemes = [\"lee2007\", \"yp6\"]\nquality = false\n[grid]\nvertex_processor.space = "
+               "[\"object\", \"eye\"]\n");
+  REQUIRE(bumpsim("sweep spec.toml --out s", folder.path()).code == 0);
+  for (const Json& row : rows_of(folder.path() / "s")) {
+    INFO(row.dump());
+    const bool is_off = row["scheme"] == "yp6" && row["vertex_processor.space"] == "eye";
+    REQUIRE(row["warnings"].is_null() != is_off);
+    const Outcome run = bumpsim("run ball.toml --no-quality --json --out r --force --scheme " + row["scheme"].get<std::string>() +
+                                    " --set vertex_processor.space=" + row["vertex_processor.space"].get<std::string>(),
+                                folder.path());
+    const Json result = Json::parse(run.out);
+    REQUIRE(result["warnings"].size() == (is_off ? 1 : 0));
+    CHECK((run.err.find("does not fit yp6.frame=parallel along the camera's axes") != std::string::npos) == is_off);
+    if (is_off) CHECK(result["warnings"][0] == row["warnings"]);
+  }
+}
+
+TEST_CASE("the manifest says from which models the rows are") {
+  TemporaryFolder folder;
+  with_scenes(folder).write("spec.toml", "scenes = [\"ball.toml\"]\nschemes = [\"phong1975\"]\nquality = false\n");
+  REQUIRE(bumpsim("sweep spec.toml --out s", folder.path()).code == 0);
+  const std::string version = Json::parse(read_file(folder.path() / "s/sweep.json"))["version"];
+  CHECK(version == version_text() + ", models " + models_digest());
+  CHECK(models_digest().size() == 16);
+  CHECK(models_digest().find_first_not_of("0123456789abcdef") == std::string::npos);
+}
+
+TEST_CASE("the digest of the models follows their sources, not where they are") {
+  TemporaryFolder folder;
+  const fs::path tools = fs::path(BUMP_SOURCE_DIR) / "testbench/program";
+  const auto digest = [&](const std::string& root) {
+    const std::string output = (folder.path() / "digest.cpp").string();
+    const std::string command = "cmake -DROOT='" + (folder.path() / root).string() + "' -DOUTPUT='" + output + "' -P '" +
+                                (tools / "source_digest.cmake").string() + "'";
+    REQUIRE(std::system(command.c_str()) == 0);
+    const std::string text = read_file(output);
+    return text.substr(text.find("return \"") + 8, 16);
+  };
+  for (const char* root : {"a", "b"}) {
+    fs::create_directories(folder.path() / root / "sc_models/units");
+    fs::create_directories(folder.path() / root / "sc_models/schemes/new");
+    folder.write(std::string(root) + "/sc_models/units/cache.cpp", "int ways = 4;\n");
+  }
+  const std::string first = digest("a");
+  CHECK(digest("b") == first);
+  folder.write("b/sc_models/schemes/new/test_new.cpp", "a test decides nothing\n");
+  CHECK(digest("b") == first);
+  folder.write("b/sc_models/schemes/new/new.cpp", "int bits = 8;\n");
+  const std::string added = digest("b");
+  CHECK(added != first);
+  folder.write("b/sc_models/schemes/new/new.cpp", "int bits = 9;\n");
+  CHECK(digest("b") != added);
 }
 
 TEST_CASE("where every point fails the exit code says so, and the rows are there") {
@@ -354,6 +481,7 @@ TEST_CASE("shards of other sweeps, and folders that are none, are not merged") {
       {"merge a1 --out m", "2 of 4 points are missing"},
       {"merge a1 a1 --out m", "2 of 4 points are missing"},
       {"merge a1 nowhere --out m", "no such folder"},
+      {"merge a1 nowhere --out m", "why: what is merged are the folders"},
       {"merge a1 empty --out m", "no finished sweep"},
       {"merge a1 running --out m", "let the sweep finish"},
       {"merge a1 cut --out m", "incomplete"},
@@ -371,7 +499,10 @@ TEST_CASE("shards of other sweeps, and folders that are none, are not merged") {
     CHECK(outcome.err.find(says) != std::string::npos);
     CHECK_FALSE(fs::exists(folder.path() / "m"));
   }
-  must("merge a1 a2 a1 --out m");
+  const Outcome twice = bumpsim("merge a1 a2 a1 ./a1 --out m", folder.path());
+  CHECK(twice.code == 0);
+  CHECK(twice.err.find("a1 is named more than once, and counts once") != std::string::npos);
+  CHECK(twice.out.find("4 points of 2 folders") != std::string::npos);
   must("merge a1 a2 --out b2 --force");
   check_same_tables(folder.path() / "m", folder.path() / "b2");
 }
@@ -381,6 +512,7 @@ TEST_CASE("wrong arguments of a sweep are explained and nothing is written") {
   with_scenes(folder).write("spec.toml", "scenes = [\"ball.toml\"]\nschemes = [\"lee2007\"]\n");
   folder.write("wrong.toml", "scenes = [\"ball.toml\"]\nschemes = [\"lee2007\"]\n[grid]\nfifos.depht = [1, 2]\n");
   folder.write("broken.toml", "scenes = [\"none.toml\"]\nschemes = [\"lee2007\"]\n");
+  folder.write("text.toml", "quality = \"no\"\nscenes = [\"ball.toml\"]\nschemes = [\"lee2007\"]\n");
   const std::pair<const char*, const char*> cases[] = {
       {"sweep", "spec"},
       {"sweep spec.toml", "--out"},
@@ -388,6 +520,7 @@ TEST_CASE("wrong arguments of a sweep are explained and nothing is written") {
       {"sweep wrong.toml --out s", "wrong.toml:4:7"},
       {"sweep wrong.toml --out s --json", "try: fifos.depth"},
       {"sweep broken.toml --out s", "broken.toml:1:11"},
+      {"sweep text.toml --out s", "text.toml:1:11: quality is a text"},
       {"sweep spec.toml --out ''", "--out"},
       {"sweep spec.toml --out .", "in use"},
       {"sweep spec.toml --out spec.toml", "in the way"},
