@@ -14,19 +14,20 @@ WITHOUT_BUMPS = ("phong1975",)
 
 
 def fits(work):
-    """Rows of all fits that have a design: defaults first, then variants; each with the settings of its fit."""
+    """Rows of all fits that have a design, each with what its structure differs in from the defaults."""
     rows = []
-    for path in sorted(work.glob("fit-*.json"), key=lambda path: (path.stem.count("-") > 1, path.stem)):
+    for path in sorted(work.glob("fit-*.json")):
         fit = json.loads(path.read_text())
         for row in fit["rows"]:
             if row["status"] in ("reached", "not_reached"):
-                row["settings"] = fit["settings"]
+                row["settings"] = {choice["key"]: choice["value"] for choice in row["choices"] if choice["value"] != choice["given"]}
+                row["prices"] = fit["prices"]
                 rows.append(row)
     return rows
 
 
 def key_of(row):
-    return (row["scheme"], row["widths"], tuple(sorted(row["settings"].items())))
+    return (row["scheme"], row["widths"], tuple(sorted((key, text_of(value)) for key, value in row["settings"].items())))
 
 
 def distinct(rows):
@@ -82,8 +83,7 @@ def number(value, digits):
 def report(work):
     rows = [row for row in fits(work) if row["scheme"] not in WITHOUT_BUMPS]
     others, limited = points(work / "others" / "points.jsonl"), points(work / "limited" / "points.jsonl")
-    fit = json.loads((work / f"fit-{TARGETS[0]}.json").read_text())
-    area, energy = fit["prices"]["area"], fit["prices"]["energy"]
+    area, energy = rows[0]["prices"]["area"], rows[0]["prices"]["energy"]
 
     # Points come in the order of the specification.
     place = {key_of(row): i for i, row in enumerate(distinct(fits(work)))}
@@ -99,15 +99,16 @@ def report(work):
         return point.get("fragments_per_cycle")
 
     print("# All schemes at equal quality\n")
-    print("Written by `scripts/explore.sh`. For each scheme `bumpsim fit` searches the widths and table sizes with the least area whose pictures of "
-          "wood_plane, brick_cube and world_sphere all reach a PSNR against the reference (512 x 512, default settings but for those named). Brick_torus and bunny "
-          "were not used to choose anything. Marks: (R) in part a reconstruction; * this project's own, in no paper.\n")
+    print("Written by `scripts/explore.sh`. For each scheme `bumpsim fit` searches the structure, the widths and the table sizes with the least area whose "
+          "pictures of wood_plane, brick_cube and world_sphere all reach a PSNR against the reference (512 x 512). Every design given here was measured on all three, and every "
+          "PSNR is that of the worst. Brick_torus and bunny were not used to choose anything. Marks: (R) in part a reconstruction; * this project's own, in no paper.\n")
     print(f"Area in {area['unit']} by price table `{area['name']}` ({area['accuracy']}). Energy in {energy['unit']} a fragment by `{energy['name']}` "
           f"({energy['accuracy']}). Both are of the per-pixel datapaths with their pipeline registers and tables, one fragment a clock; interpolators, colour unit, "
           "texture and vertex work are not in them, and `bumpsim compare` lists these for every scheme.\n")
-    print("How to read it: widths end at the least that a scheme declares (words of 12 bits for Lee 2007, 10 for lee2007_corrected and exact_polar, 8 for Peercy 1997, Ernst 1998, Blinn 1978, Kim 2001 and Kugler 1998, 6 for this project's other designs; light tables of 64 words), so a row far above its target is an upper "
-          "bound of what the target costs. Designs without settings are at their defaults: nearest texels for the polar maps of Lee 2007 and its kin, tangents along parallels for the maps with their pole on y, which the bunny does not have. Settings "
-          "in the rows' names are the variants that were tried beside them; ROMs have one port.\n")
+    print("How to read it: a row names the choices of structure in which it differs from the scheme's defaults. Left as they are: choices that decide more than what the "
+          "same picture costs (the map's space and its normals in peercy1997, the readings of the paper's formulas in lee2007). \"Bound\" marks a design whose words, named "
+          "under it, ended at the least that the scheme declares where a bit more would cost more: what it costs is an upper bound. \"Not reached\" gives the best "
+          "quality of all structures that were tried, at any width. Searches are local: single flips of the answer's choices were looked at, not all combinations.\n")
     headline(rows, held)
     for target in TARGETS:
         print(f"## At {target} dB\n")
@@ -118,23 +119,47 @@ def report(work):
         missed = sorted((row for row in of_target if row["status"] != "reached"), key=lambda row: -row["psnr_worst_db"])
         for row in reached + missed:
             rates = ", ".join(number(rate(row, limit), 2) for limit in LIMITS)
-            short = "" if row["status"] == "reached" else " (not reached)"
+            short = " (not reached)" if row["status"] != "reached" else " (bound)" if row["upper_bound"] else ""
             print(f"| {name(row)} | {row['psnr_worst_db']:.1f}{short} | {number(held(row, 'brick_torus'), 1)} | {number(held(row, 'bunny'), 1)} "
                   f"| {row['multipliers']} | {row['adders']} | {row['table_kilobytes']:.2f} | {number(row['area_nand2'], 0)} "
                   f"| {number(row['energy_pj_per_fragment'], 1)} | {rates} |")
+        print()
+        for row in missed:
+            print(f"* {name(row)}: not reached by {of_structures(row)}.")
         print()
     print("Fragments a cycle are those of world_sphere with the default FIFOs, vertex processor and memory, which allow 0.75 to 0.83 without a limit.\n")
     print("## Fronts\n")
     for which, text in (("area", "area"), ("energy", "energy"), ("tables", "table KB"), ("multipliers", "multiplier cells, the sum over multipliers of the product of their operands' widths")):
         print(f"{text[0].upper() + text[1:]} against PSNR:\n\n![{text} against PSNR](pictures/pareto-{which}.svg)\n")
-    print("## Widths that were found\n")
+    print("## Structures and widths that were found\n")
+    print("As settings of a run, without the scheme's name in front; words at their least allowed value, where that still costs, are named behind the dash.\n")
     for row in rows:
-        print(f"* {row['psnr_target_db']:.0f} dB, {name(row)}: {row['widths']}")
+        prefix = row["scheme"] + "."
+        text = " ".join([f"{key}={text_of(value)}" for key, value in row["settings"].items()] + [row["widths"]]).replace(prefix, "")
+        least = row["least_allowed"].replace(prefix, "")
+        if not row["search_complete"]:
+            text += " (the search ended at its limit of designs)"
+        print(f"* {row['psnr_target_db']:.0f} dB, {row['scheme']}: {text}" + (f" - {least}" if least else ""))
+
+
+def of_structures(row):
+    variants = row["variants"]
+    measured = variants["fitted"] + variants["fall_short_at_the_widest"] + variants["same_picture"]
+    possible = variants["possible"] - variants["contradictory_or_equal"]
+    if possible == 1:
+        return "the only structure that there is"
+    rest = possible - measured
+    text = f"any of {measured} structures measured"
+    return text + (f"; {rest} more were left out by the limits of the search" if rest > 0 else ", which are all that there are")
+
+
+def text_of(value):
+    return json.dumps(value) if isinstance(value, bool) else str(value)
 
 
 def name(row):
     mark = " (R)" if row["reconstruction"] else "" if row["scheme"] in PUBLISHED + WITHOUT_BUMPS else "*"
-    settings = " ".join(f"{key.split('.')[1]}={value}" for key, value in row["settings"].items())
+    settings = " ".join(f"{key.split('.')[1]}={text_of(value)}" for key, value in row["settings"].items())
     return row["scheme"] + mark + (f" {settings}" if settings else "")
 
 
@@ -142,7 +167,7 @@ def headline(rows, held):
     """What a designer should build, in numbers of this very table."""
     print("## In short\n")
     lee = max((row for row in rows if row["scheme"] == "lee2007"), key=lambda row: row["psnr_worst_db"])
-    print(f"* Lee 2007 reaches {lee['psnr_worst_db']:.1f} dB on the worst of the three scenes at any width, for {lee['area_nand2']:.0f} {'NAND2'} and {lee['energy_pj_per_fragment']:.1f} pJ a fragment.")
+    print(f"* Lee 2007 with the paper's formulas reaches {lee['psnr_worst_db']:.1f} dB on the worst of the three scenes at most, whatever its structure and widths.")
     for target in TARGETS:
         reached = [row for row in rows if row["psnr_target_db"] == target and row["status"] == "reached" and row["area_nand2"] is not None]
         if not reached:
@@ -150,20 +175,20 @@ def headline(rows, held):
             continue
         best = min(reached, key=lambda row: row["area_nand2"])
         thrifty = min(reached, key=lambda row: row["energy_pj_per_fragment"])
-        text = (f"* At {target} dB the least area is {name(best)}: {best['area_nand2']:.0f} NAND2, {best['multipliers']} multipliers, {best['table_kilobytes']:.2f} KB of tables; "
+        text = (f"* At {target} dB the least area is {name(best)}: {best['area_nand2']:.0f} NAND2{' (an upper bound)' if best['upper_bound'] else ''}, {best['multipliers']} multipliers, {best['table_kilobytes']:.2f} KB of tables; "
                 f"on the scenes not used to choose it {number(held(best, 'brick_torus'), 1)} dB (brick_torus) and {number(held(best, 'bunny'), 1)} dB (bunny). "
                 f"The least energy is {name(thrifty)} with {thrifty['energy_pj_per_fragment']:.1f} pJ.")
         published = [row for row in reached if row["scheme"] in PUBLISHED]
         if published:
             theirs = min(published, key=lambda row: row["area_nand2"])
-            text += (f" The smallest published design there is {name(theirs)} with {theirs['area_nand2']:.0f} NAND2 "
+            text += (f" The smallest published design is {name(theirs)} with {theirs['area_nand2']:.0f} NAND2 "
                      f"({theirs['area_nand2'] / best['area_nand2']:.1f} times) and {theirs['energy_pj_per_fragment']:.1f} pJ.")
         else:
             text += " No published design reaches it."
         anywhere = [row for row in reached if (held(row, "bunny") or 0) >= target - 2]
         if anywhere:
             safe = min(anywhere, key=lambda row: row["area_nand2"])
-            text += (f" On a mesh whose tangents run anywhere the small maps with their pole on y fail: within 2 dB of the target on the bunny, too, the smallest is {name(safe)} "
+            text += (f" Small maps whose tangents have to run along parallels fail on a mesh where they run anywhere: within 2 dB of the target on the bunny, too, the smallest is {name(safe)} "
                      f"with {safe['area_nand2']:.0f} NAND2 and {safe['energy_pj_per_fragment']:.1f} pJ ({held(safe, 'bunny'):.1f} dB there).")
         print(text)
     print("* Inputs differ: angles are formed at the vertices and interpolated, vectors are interpolated as they are, and transforms at the vertices are in no figure here; designs with `angles=pixel` form their angles "

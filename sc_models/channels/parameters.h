@@ -25,6 +25,9 @@ struct Parameter {
   /// Read by nothing but the timing plane: it moves dates, and never values, routes, hits or the intervals that units record. What was
   /// recorded once can be dated again with another value (sc_models/retiming).
   bool timing_only = false;
+  /// Not empty for what decides more than the cost and precision of the same picture: which map the artist delivers, which reading of a paper
+  /// counts as the scheme. A search for the cheapest design leaves the parameter as it is, and gives this as the reason.
+  std::string decides{};
 };
 
 /// The declared parameters, in key order.

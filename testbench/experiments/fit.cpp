@@ -3,17 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <set>
 
 #include "datapath/invariant.h"
-#include "system/simulation.h"
-#include "testbench/experiments/child_processes.h"
+#include "testbench/experiments/fit_bench.h"
 #include "testbench/experiments/fit_widths.h"
 #include "testbench/experiments/measured_run.h"
 #include "testbench/reference/cores.h"
-#include "testbench/reference/quality.h"
 
 namespace bump {
 
@@ -21,65 +20,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::string bytes_of(const FitQuality& quality) {
-  return {reinterpret_cast<const char*>(&quality), sizeof quality};
-}
-
-FitQuality quality_from(const std::string& bytes) {
-  FitQuality quality;
-  BUMP_ASSERT(bytes.size() == sizeof quality);
-  std::memcpy(&quality, bytes.data(), sizeof quality);
-  return quality;
-}
-
-double psnr(const Quality& quality, const Scene& scene) {
-  if (quality.pixels == 0)
-    throw Error({"scene '" + scene.name + "' shows nothing: there is no picture to measure", {}, "", "another camera, or another scene"});
-  return quality.psnr_db;
-}
-
-/// What all measurements share.
-struct Bench {
-  const std::vector<const Scene*>& scenes;
-  const std::vector<References>& references;
-  const FitOptions& options;
-
-  ChildOptions children() const {
-    ChildOptions children;
-    children.jobs = options.jobs;
-    children.cancelled = options.cancelled;
-    return children;
-  }
-};
-
-/// The quality that is asked for, in a process of its own.
-FitQuality measured_while_searching(const Bench& bench, std::size_t scene, const Scheme& scheme, const Configuration& configuration) {
-  const bool own = bench.options.against == FitAgainst::own_double;
-  SimulationOptions options;
-  options.engine = Engine::untimed;
-  options.measure = own;
-  const SimulationResult result = simulate(*bench.scenes[scene], scheme, configuration, options);
-  FitQuality quality;
-  (own ? quality.to_double : quality.to_reference) =
-      psnr(compare_frames(result.hardware, own ? result.exact : bench.references[scene].normal_map), *bench.scenes[scene]);
-  return quality;
-}
-
-/// As any run, self-check included.
-FitQuality measured_in_full(const Bench& bench, std::size_t scene, const Scheme& scheme, const Configuration& configuration) {
-  MeasuredRun run(*bench.scenes[scene], scheme, configuration, "dated");
-  run.simulate({});
-  run.measure(bench.references[scene]);
-  const RunReport& report = run.report();
-  return {psnr(*report.against_reference, *bench.scenes[scene]), psnr(*report.against_double, *bench.scenes[scene]),
-          psnr(*report.double_against_reference, *bench.scenes[scene])};
-}
-
 /// One scheme.
 class SchemeFit {
  public:
-  SchemeFit(const Bench& bench, const Scheme& scheme, const Configuration& configuration, std::function<void(double)> progress)
-      : bench_(bench), scheme_(scheme), configuration_(configuration), progress_(std::move(progress)) {
+  SchemeFit(const FitScenes& scenes, const Scheme& scheme, const Configuration& configuration, std::function<void(double)> progress)
+      : options_(scenes.options), scheme_(scheme), configuration_(configuration), bench_(scenes, scheme, std::move(progress)) {
     row_.page = &scheme.page();
   }
 
@@ -90,90 +35,119 @@ class SchemeFit {
       if (error.kind() == ErrorKind::cancelled) throw;
       row_.error = error;
     }
+    row_.measured = bench_.measured();
+    row_.failed = bench_.failed();
     return std::move(row_);
   }
 
  private:
   void search() {
-    FitParameters parameters = fit_parameters(scheme_, configuration_);
-    row_.keys = parameters.keys;
-    row_.set = std::move(parameters.set);
-    row_.idle = std::move(parameters.idle);
-    FitProblem problem;
-    problem.ranges = row_.ranges = std::move(parameters.ranges);
-    problem.target = bench_.options.psnr_db;
-    problem.limit = bench_.options.limit;
-    problem.cost = [this](const Widths& widths) { return cost(widths); };
-    problem.measure = [this](const std::vector<Widths>& designs) { return measure(designs); };
-    const FitAnswer answer = search_widths(problem);
-    row_.measured = answer.measured;
-    BUMP_ASSERT(answer.quality > -infinity || first_error_);
-    if (answer.quality == -infinity) throw *first_error_;
-    row_.widths = answer.widths;
-    row_.reached = answer.reached;
-    row_.complete = answer.complete;
-    row_.size = size(answer.widths);
-    confirm(answer.quality);
+    read_structure();
+    scheme_.design(configuration_, Material{});  // throws what is wrong with the settings
+    VariantProblem problem;
+    for (const FitChoice& choice : row_.choices) problem.values.push_back(choice.values.size());
+    for (const FitChoice& choice : row_.choices) problem.start.push_back(choice.given);
+    problem.target = options_.psnr_db;
+    problem.limit = options_.limit;
+    problem.variant = [this](const Structure& structure) { return variant(structure); };
+    problem.cost = [this](const Structure& structure, const Widths& widths) {
+      return bench_.cost(design(structure, widths), std::accumulate(widths.begin(), widths.end(), 0));
+    };
+    problem.measure = [this](const std::vector<std::pair<Structure, Widths>>& designs, double floor) { return measure(designs, floor); };
+    problem.measured = [this] { return bench_.measured(); };
+    take(search_variants(problem));
   }
 
-  DesignSize size(const Widths& widths) const {
-    DesignSize size = design_size(scheme_, with_widths(configuration_, row_.keys, widths), bench_.options.book);
-    for (const int width : widths) size.width_sum += width;
-    return size;
+  void read_structure() {
+    FitStructure structure = fit_structure(scheme_, configuration_);
+    row_.kept = std::move(structure.kept);
+    row_.set = std::move(structure.set);
+    if (options_.search_structure)
+      row_.choices = std::move(structure.choices);
+    else
+      for (const FitChoice& choice : structure.choices) row_.left.push_back(choice.key);
   }
 
-  std::optional<FitCost> cost(const Widths& widths) {
+  std::optional<FitVariant> variant(const Structure& structure) {
+    const Configuration configuration = with_structure(configuration_, row_.choices, structure);
+    const bool given = structure == given_structure();
     try {
-      return cost_of(size(widths), bench_.options.cost);
+      const FitParameters parameters = fit_parameters(scheme_, configuration);
+      if (!is_new(configuration, parameters) && !given) return std::nullopt;
+      parameters_[structure] = parameters;
+      return FitVariant{parameters.keys, parameters.ranges};
     } catch (const Error& error) {
-      if (error.kind() != ErrorKind::input) throw;
-      if (!first_error_) first_error_ = error;
+      if (error.kind() != ErrorKind::input || given) throw;
       return std::nullopt;
     }
   }
 
-  template <class Work>
-  std::vector<ChildOutcome> on_all_scenes(const std::vector<Widths>& designs, const ChildOptions& options, const Work& work) const {
+  /// Whether no structure before made this design, told at the widest words. What they contradict may still be possible with others.
+  bool is_new(const Configuration& configuration, const FitParameters& parameters) {
+    Widths widest;
+    for (const WidthRange& range : parameters.ranges) widest.push_back(range.high);
+    try {
+      const Design design = scheme_.design(with_widths(configuration, parameters.keys, widest), Material{});
+      return signatures_.insert(design_signature(design)).second || design.map.bake;
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::input) throw;
+      return true;
+    }
+  }
+
+  Structure given_structure() const {
+    Structure structure;
+    for (const FitChoice& choice : row_.choices) structure.push_back(choice.given);
+    return structure;
+  }
+
+  Configuration design(const Structure& structure, const Widths& widths) const {
+    return with_widths(with_structure(configuration_, row_.choices, structure), parameters_.at(structure).keys, widths);
+  }
+
+  std::vector<double> measure(const std::vector<std::pair<Structure, Widths>>& designs, double floor) {
     std::vector<Configuration> configurations;
-    for (const Widths& widths : designs) configurations.push_back(with_widths(configuration_, row_.keys, widths));
-    std::vector<ChildTask> tasks;
-    for (const Configuration& configuration : configurations)
-      for (std::size_t scene = 0; scene < bench_.scenes.size(); ++scene)
-        tasks.push_back({scheme_.page().id + " on " + bench_.scenes[scene]->name, [this, &work, &configuration, scene](const ReportShare&) {
-                           return bytes_of(work(bench_, scene, scheme_, configuration));
-                         }});
-    return run_in_children(tasks, options);
+    for (const auto& [structure, widths] : designs) configurations.push_back(design(structure, widths));
+    return bench_.worst(configurations, floor);
   }
 
-  /// The worst of the scenes for each.
-  std::vector<double> measure(const std::vector<Widths>& designs) {
-    ChildOptions options = bench_.children();
-    const double before = done_, share = static_cast<double>(designs.size()) / bench_.options.limit;
-    options.progress = [&](double part) { progress_(before + share * part); };
-    const std::vector<ChildOutcome> outcomes = on_all_scenes(designs, options, measured_while_searching);
-    done_ = before + share;
-    std::vector<double> worst(designs.size(), infinity);
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      double& quality = worst[i / bench_.scenes.size()];
-      if (outcomes[i].error) {
-        if (outcomes[i].error->kind() == ErrorKind::internal) throw *outcomes[i].error;
-        if (!first_error_) first_error_ = outcomes[i].error;
-        row_.failed += quality > -infinity ? 1 : 0;
-        quality = -infinity;
-        continue;
-      }
-      const FitQuality found = quality_from(outcomes[i].bytes);
-      quality = std::min(quality, bench_.options.against == FitAgainst::own_double ? found.to_double : found.to_reference);
-    }
-    return worst;
+  void take(const VariantAnswer& found) {
+    const FitAnswer& answer = found.answer;
+    BUMP_ASSERT(answer.quality > -infinity || bench_.first_error());
+    if (answer.quality == -infinity) throw *bench_.first_error();
+    const FitParameters& parameters = parameters_.at(found.structure);
+    row_.structure = found.structure;
+    row_.variants = found.counts;
+    row_.keys = parameters.keys;
+    row_.ranges = parameters.ranges;
+    row_.idle = parameters.idle;
+    row_.set.insert(row_.set.end(), parameters.set.begin(), parameters.set.end());
+    std::sort(row_.set.begin(), row_.set.end());
+    row_.widths = answer.widths;
+    row_.reached = answer.reached;
+    row_.complete = answer.complete;
+    const Configuration best = design(found.structure, answer.widths);
+    row_.size = bench_.size(best, std::accumulate(answer.widths.begin(), answer.widths.end(), 0));
+    find_limits(found.structure);
+    confirm(best, answer.quality);
   }
 
-  void confirm(double quality) {
-    for (const ChildOutcome& outcome : on_all_scenes({row_.widths}, bench_.children(), measured_in_full)) {
-      if (outcome.error) throw *outcome.error;
-      row_.qualities.push_back(quality_from(outcome.bytes));
+  /// Widths that are at their least, where a bit more costs more: there, less might cost less.
+  void find_limits(const Structure& structure) {
+    for (std::size_t i = 0; i < row_.widths.size(); ++i) {
+      if (row_.widths[i] > row_.ranges[i].low || row_.ranges[i].low == row_.ranges[i].high) continue;
+      Widths wider = row_.widths;
+      ++wider[i];
+      const Configuration configuration = design(structure, wider);
+      const std::optional<FitCost> cost = bench_.cost(configuration, 0);
+      const bool costs = cost && cost->front() > cost_of(row_.size, options_.cost).front();
+      (costs ? row_.costly_limits : row_.idle_limits).push_back(row_.keys[i]);
     }
-    const double again = row_.worst(bench_.options.against == FitAgainst::own_double ? &FitQuality::to_double : &FitQuality::to_reference);
+  }
+
+  void confirm(const Configuration& best, double quality) {
+    row_.qualities = bench_.in_full(best);
+    const double again = row_.worst(options_.against == FitAgainst::own_double ? &FitQuality::to_double : &FitQuality::to_reference);
     if (again != quality)
       throw Error(ErrorKind::self_check, {fmt::format("self-check failed: a run of the design found gives {:.6f} dB", again),
                                           {},
@@ -181,13 +155,13 @@ class SchemeFit {
                                           "report this with the command that led to it"});
   }
 
-  const Bench& bench_;
+  const FitOptions& options_;
   const Scheme& scheme_;
   const Configuration& configuration_;
-  std::function<void(double)> progress_;
+  FitBench bench_;
+  std::map<Structure, FitParameters> parameters_;
+  std::set<std::string> signatures_;
   FitRow row_;
-  double done_ = 0;
-  std::optional<Error> first_error_;
 };
 
 void check(const std::vector<const Scene*>& scenes, const Configuration& configuration, const FitOptions& options) {
@@ -217,10 +191,11 @@ double FitRow::worst(double FitQuality::*which) const {
   return least;
 }
 
-bool FitRow::is_narrowest() const {
-  for (std::size_t i = 0; i < widths.size(); ++i)
-    if (widths[i] > ranges[i].low) return false;
-  return !widths.empty();
+std::vector<std::pair<std::string, std::string>> FitRow::taken() const {
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (std::size_t i = 0; i < structure.size(); ++i)
+    if (structure[i] != choices[i].given) settings.emplace_back(choices[i].key, to_string(choices[i].values[structure[i]]));
+  return settings;
 }
 
 double Fit::worst(const FitRow& row) const {
@@ -238,7 +213,7 @@ Fit fit(const std::vector<const Scene*>& scenes, const std::vector<const Scheme*
   result.scenes = scenes;
   result.configuration = &configuration;
   result.options = options;
-  const Bench bench{scenes, references, options};
+  const FitScenes bench{scenes, references, options};
   for (std::size_t i = 0; i < schemes.size(); ++i) {
     const auto progress = [&](double share) {
       if (options.progress) options.progress((static_cast<double>(i) + std::min(share, 1.0)) / static_cast<double>(schemes.size()));

@@ -36,6 +36,22 @@ std::string settings_text(const FitRow& row) {
   return text;
 }
 
+Json json_of(const ParameterValue& value) {
+  return std::visit([](const auto& typed) { return Json(typed); }, value);
+}
+
+std::string structure_text(const FitRow& row) {
+  std::string text;
+  for (const auto& [key, value] : row.taken()) text += (text.empty() ? "" : " ") + key + "=" + value;
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 /// Name and value of every column. What identifies a row stands in front of its status.
 Json flat_row(const Fit& fit, const FitRow& row) {
   const bool ok = !row.error.has_value(), own = fit.options.against == FitAgainst::own_double;
@@ -43,6 +59,7 @@ Json flat_row(const Fit& fit, const FitRow& row) {
   const auto number = [ok](auto value) { return ok ? Json(value) : Json(); };
   Json json;
   json["scheme"] = row.page->id;
+  json["structure"] = ok ? Json(structure_text(row)) : Json();
   json["widths"] = ok ? Json(settings_text(row)) : Json();
   json["psnr_target_db"] = fit.options.psnr_db;
   json["against"] = name_of(fit.options.against);
@@ -73,7 +90,10 @@ Json flat_row(const Fit& fit, const FitRow& row) {
   json["designs_measured"] = row.measured;
   json["designs_failed"] = row.failed;
   json["search_complete"] = number(row.complete);
-  json["narrowest_allowed"] = number(row.is_narrowest());
+  json["variants_possible"] = number(row.variants.possible);
+  json["variants_measured"] = number(row.variants.measured());
+  json["upper_bound"] = number(row.is_upper_bound());
+  json["least_allowed"] = ok ? Json(joined(row.costly_limits)) : Json();
   json["reason"] = row.error ? Json(reason_of(*row.error)) : Json();
   return json;
 }
@@ -90,6 +110,27 @@ Json row_json(const Fit& fit, const FitRow& row) {
   json["chosen"] = Json::array();
   for (std::size_t i = 0; i < row.widths.size(); ++i)
     json["chosen"].push_back({{"key", row.keys[i]}, {"bits", row.widths[i]}, {"least", row.ranges[i].low}, {"most", row.ranges[i].high}});
+  json["choices"] = Json::array();
+  for (std::size_t i = 0; i < row.structure.size(); ++i) {
+    const FitChoice& choice = row.choices[i];
+    Json values = Json::array();
+    for (const ParameterValue& value : choice.values) values.push_back(json_of(value));
+    json["choices"].push_back({{"key", choice.key},
+                               {"value", json_of(choice.values[row.structure[i]])},
+                               {"given", json_of(choice.values[choice.given])},
+                               {"values", values}});
+  }
+  json["choices_kept"] = Json::array();
+  for (const FitStructure::Kept& kept : row.kept) json["choices_kept"].push_back({{"key", kept.key}, {"reason", kept.reason}});
+  json["choices_not_searched"] = row.left;
+  const VariantCounts& variants = row.variants;
+  json["variants"] = {{"possible", variants.possible},
+                      {"fitted", variants.fitted},
+                      {"fall_short_at_the_widest", variants.falls_short},
+                      {"same_picture", variants.same_picture},
+                      {"passed_over_as_costlier", variants.costlier},
+                      {"contradictory_or_equal", variants.contradictory}};
+  json["least_allowed_without_cost"] = row.idle_limits;
   json["set"] = row.set;
   json["without_effect"] = row.idle;
   json["scenes"] = Json::array();
@@ -135,6 +176,7 @@ std::string fit_json(const Fit& fit, const std::string& version) {
   json["against"] = name_of(fit.options.against);
   json["cost"] = name_of(fit.options.cost);
   json["limit"] = fit.options.limit;
+  json["structure_searched"] = fit.options.search_structure;
   json["prices"] = {{"area", price_json(fit.options.book.area, Quantity::area)},
                     {"energy", price_json(fit.options.book.energy, Quantity::energy)}};
   json["scenes"] = Json::array();

@@ -48,9 +48,9 @@ class Report {
     for (const Scene* scene : fit_.scenes) names.push_back(scene->name);
     document_.heading(1, fmt::format("Equal quality: {:g} dB on {}", options.psnr_db, joined(names, ", ")));
     document_.paragraph(fmt::format(
-        "For each scheme the widths of least {} whose fixed-point picture is at least {:g} dB from {} on the worst scene, as far as a "
+        "For each scheme the {} of least {} whose fixed-point picture is at least {:g} dB from {} on the worst scene, as far as a "
         "search finds them. Colours are unrounded, the background is left out.",
-        name_of(options.cost), options.psnr_db,
+        options.search_structure ? "structure and widths" : "widths", name_of(options.cost), options.psnr_db,
         options.against == FitAgainst::reference ? "the reference (the same bump map in exact frames, double precision)"
                                                  : "the scheme's own evaluation in double precision, whatever that is worth"));
     std::vector<std::string> settings;
@@ -74,7 +74,7 @@ class Report {
   }
 
   std::vector<std::string> cells(const FitRow& row, std::size_t columns) const {
-    std::vector<std::string> cells = {marked_id(*row.page), row.error ? "failed" : row.reached ? "reached" : "not reached"};
+    std::vector<std::string> cells = {marked_id(*row.page), result_of(row)};
     if (row.error) {
       cells.resize(columns, "-");
       return cells;
@@ -97,8 +97,14 @@ class Report {
     return cells;
   }
 
+  static std::string result_of(const FitRow& row) {
+    if (row.error) return "failed";
+    if (!row.reached) return "not reached";
+    return row.is_upper_bound() ? "reached, upper bound" : "reached";
+  }
+
   void widths() {
-    document_.heading(2, "Widths");
+    document_.heading(2, fit_.options.search_structure ? "Structure and widths" : "Widths");
     for (const FitRow& row : fit_.rows) {
       if (row.error) {
         document_.item(row.page->id + ": failed: " + reason_of(*row.error));
@@ -106,7 +112,9 @@ class Report {
       }
       std::vector<std::string> chosen, others;
       for (std::size_t i = 0; i < row.keys.size(); ++i) chosen.push_back(fmt::format("{} {}", short_key(row.keys[i]), row.widths[i]));
-      std::string text = row.page->id + ": " + (chosen.empty() ? "none to choose" : joined(chosen, ", "));
+      std::string text = row.page->id + ": ";
+      for (const auto& [key, value] : row.taken()) text += short_key(key) + "=" + value + ", ";
+      text += chosen.empty() ? "no widths to choose" : joined(chosen, ", ");
       for (const std::string& key : row.set) others.push_back(short_key(key));
       if (!others.empty()) text += "; as set: " + joined(others, ", ");
       others.clear();
@@ -132,15 +140,20 @@ class Report {
                                  quantity == Quantity::energy ? ", memory traffic" : "", table->accuracy(quantity)));
     }
     for (const FitRow& row : fit_.rows) remark_on(row);
+    kept_choices();
   }
 
   void remark_on(const FitRow& row) {
     if (row.error) return;
     if (!row.reached)
-      document_.item(fmt::format("{}: not reached. The best of {} designs has {} dB; its widths are shown.{}", row.page->id, row.measured,
-                                 decibels(fit_.worst(row)), ceiling(row)));
-    if (row.reached && row.is_narrowest())
-      document_.item(row.page->id + ": its widths are the narrowest that its parameters allow; narrower ones might do.");
+      document_.item(fmt::format("{}: not reached. The best of {} designs has {} dB; its structure and widths are shown. {}{}",
+                                 row.page->id, row.measured, decibels(fit_.worst(row)), variants_tried(row), ceiling(row)));
+    if (row.is_upper_bound()) {
+      std::vector<std::string> keys;
+      for (const std::string& key : row.costly_limits) keys.push_back(short_key(key));
+      document_.item(fmt::format("{}: what it costs is an upper bound, as {} ended at the least that {} parameters allow.", row.page->id,
+                                 joined(keys, ", "), keys.size() == 1 ? "its" : "their"));
+    }
     if (!row.complete)
       document_.item(
           fmt::format("{}: the limit of {} designs ended the search before it found nothing better.", row.page->id, fit_.options.limit));
@@ -148,10 +161,36 @@ class Report {
       document_.item(fmt::format("{}: {} of its designs failed when they were run, and were passed over.", row.page->id, row.failed));
   }
 
+  void kept_choices() {
+    for (const FitRow& row : fit_.rows) {
+      std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+      for (const FitStructure::Kept& kept : row.kept) {
+        if (reasons.empty() || reasons.back().first != kept.reason) reasons.push_back({kept.reason, {}});
+        reasons.back().second.push_back(short_key(kept.key));
+      }
+      for (const auto& [reason, keys] : reasons)
+        document_.item(fmt::format("{}: {} kept: what {} is {}.", row.page->id, joined(keys, ", "),
+                                   keys.size() == 1 ? "it decides" : "they decide", reason));
+    }
+  }
+
+  /// What was tried of its structure.
+  std::string variants_tried(const FitRow& row) const {
+    const VariantCounts& variants = row.variants;
+    if (!fit_.options.search_structure && !row.left.empty()) return "Its structure was not searched.";
+    if (variants.possible == 1) return "There is no choice in its structure.";
+    std::string text = fmt::format("Of {} combinations of its choices, {} were measured", variants.possible, variants.measured());
+    const int rest = variants.possible - variants.measured() - variants.contradictory;
+    if (variants.contradictory > 0)
+      text += fmt::format(", {} contradict themselves or make the same design as another", variants.contradictory);
+    if (rest > 0) text += fmt::format(", {} were left out by the limits of the search", rest);
+    return text + ".";
+  }
+
   std::string ceiling(const FitRow& row) const {
     const double formula = row.worst(&FitQuality::double_to_reference);
     if (fit_.options.against == FitAgainst::own_double || formula >= fit_.options.psnr_db) return "";
-    return fmt::format(" Its formula itself has {} dB.", decibels(formula));
+    return fmt::format(" The formula of the one shown has {} dB.", decibels(formula));
   }
 
   const Fit& fit_;

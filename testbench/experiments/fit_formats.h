@@ -9,7 +9,7 @@
 namespace bump {
 
 constexpr const char* fit_schema = "bumpsim-fit";
-constexpr int fit_schema_version = 1;
+constexpr int fit_schema_version = 2;
 
 /// For readers, in plain text or Markdown.
 std::string fit_document(const Fit& fit, bool markdown);

@@ -28,6 +28,13 @@ void NoiseModel::set(std::size_t index, int value, double quality) {
   noise_[index][static_cast<std::size_t>(value - ranges_[index].low)] = std::max(0.0, noise_of(quality) - base_noise_);
 }
 
+void NoiseModel::fade(std::size_t index, int value) {
+  for (int wider = value + 1; wider < base_[index]; ++wider) {
+    const auto place = static_cast<std::size_t>(wider - ranges_[index].low);
+    noise_[index][place] = noise_[index][place - 1] / 4;
+  }
+}
+
 double NoiseModel::of(std::size_t index, int value) const {
   return value >= base_[index] ? 0 : noise_[index][static_cast<std::size_t>(value - ranges_[index].low)];
 }

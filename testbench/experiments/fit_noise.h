@@ -16,6 +16,9 @@ class NoiseModel {
   /// Quality with width `index` at `value` and all others as in the base.
   void set(std::size_t index, int value, double quality);
 
+  /// What is known of width `index` at `value` fades by 6 dB a bit up to the base, as the power of roundings does.
+  void fade(std::size_t index, int value);
+
   /// Power, where 0 dB is 1; infinite if one of the values is not known.
   double amount(const Widths& widths) const;
   /// dB.

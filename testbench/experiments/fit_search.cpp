@@ -14,14 +14,21 @@ namespace bump {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t together = 8;   ///< designs measured at a time where the answer to one may save the others
-constexpr double scanned_below = 3;   ///< dB below the target down to which a width is tried alone
-constexpr double worth_climbing = 6;  ///< dB below the target from which better neighbours are looked for
-constexpr double least_gain = 0.02;   ///< dB
-constexpr double hopeful = 1;         ///< dB below the target that a design may be predicted to be, and still be measured
-constexpr double surely_worse = 2;    ///< dB below the target: designs that are narrower everywhere are not measured
-constexpr std::size_t patience = 64;  ///< designs measured in vain before a descent ends
-constexpr int longest_step = 3;       ///< bits that one width is lowered by at once
+constexpr std::size_t together = 8;        ///< designs measured at a time where the answer to one may save the others
+constexpr double scanned_below = 3;        ///< dB below the target down to which a width is tried alone
+constexpr double worth_climbing = 6;       ///< dB below the target from which better neighbours are looked for
+constexpr double least_gain = 0.02;        ///< dB
+constexpr double hopeful = 1;              ///< dB below the target that a design may be predicted to be, and still be measured
+constexpr double surely_worse = 2;         ///< dB below the target: designs that are narrower everywhere are not measured
+constexpr double worth_descending = 1.15;  ///< times the bound that a design near a known one may cost to be made cheaper
+constexpr int longest_climb = 3;           ///< bits that all widths near a known design may be raised by
+constexpr int longest_step = 3;            ///< bits that one width is lowered by at once
+
+struct Measured {
+  double quality = 0;  ///< dB
+  double floor = 0;    ///< below which it may be less than that
+  bool is_known(double at_floor) const { return quality >= floor || quality < at_floor; }
+};
 
 /// The limit ends the search from wherever it is.
 struct LimitReached {};
@@ -47,23 +54,57 @@ class Search {
     answer.measured = static_cast<int>(measured_.size());
     answer.reached = reached_.has_value();
     answer.widths = reached_ ? *reached_ : best_ ? *best_ : widest_;
-    answer.quality = reached_ || best_ ? measured_.at(answer.widths) : -infinity;
+    answer.quality = reached_ || best_ ? measured_.at(answer.widths).quality : -infinity;
     if (answer.quality > -infinity) answer.cost = *cost_of(answer.widths);
     return answer;
   }
 
  private:
   void search() {
+    if (!problem_.near.empty()) return search_near();
     Widths base = widest_;
-    if (!reaches(base)) base = climb();
+    if (quality_of(base) < problem_.target) base = climb();
     if (!reached_) return;
-    bisect_together();
+    const Widths uniform = together_at(narrowest_together());
     if (nothing_is_narrower()) return;
     NoiseModel noise(problem_.ranges, base, quality_of(base));
-    scan(base, noise);
+    scan(base, uniform, noise);
     start_from(noise, base);
     descend(noise);
   }
+
+  /// From one bit more than a design that is alike, with widths that it does not have as narrow as they may be together.
+  void search_near() {
+    std::optional<Widths> found;
+    for (int raise = 1; raise <= longest_climb && !found; ++raise)
+      if (const Widths wide = near_at(raise, steps()); reaches(wide)) found = near_at(raise, narrowest_new(raise));
+    if (!found) return;
+    const Widths base = *found;
+    NoiseModel noise(problem_.ranges, base, quality_of(base));
+    scan(base, base, noise);
+    if (const auto& least = cost_of(noise.narrowest(problem_.target)); least && !is_useful(*least)) return;
+    start_from(noise, base);
+    if (is_within_reach(*cost_of(*reached_))) descend(noise);
+  }
+  /// Known widths raised, the others between the narrowest (0) and the widest (steps()).
+  Widths near_at(int raise, int step) const {
+    Widths widths = together_at(step);
+    for (std::size_t i = 0; i < count_; ++i)
+      if (problem_.near[i]) widths[i] = std::clamp(*problem_.near[i] + raise, problem_.ranges[i].low, problem_.ranges[i].high);
+    return widths;
+  }
+  int narrowest_new(int raise) {
+    int fails = -1, holds = steps();
+    while (holds - fails > 1) {
+      const int middle = (fails + holds) / 2;
+      (near_at(raise, middle) == near_at(raise, holds) || reaches(near_at(raise, middle)) ? holds : fails) = middle;
+    }
+    return std::min(steps(), holds + 1);
+  }
+  bool is_within_reach(const FitCost& cost) const {
+    return problem_.bound.empty() || cost.front() <= worth_descending * problem_.bound.front();
+  }
+  bool is_useful(const FitCost& cost) const { return problem_.bound.empty() || cost < problem_.bound; }
 
   // ---- what is known
 
@@ -72,39 +113,47 @@ class Search {
     return known != costs_.end() ? known->second : costs_.emplace(widths, problem_.cost(widths)).first->second;
   }
 
-  /// What is not known yet; designs that contradict themselves fail without being measured.
-  void measure(const std::vector<Widths>& asked) {
+  /// What is not known yet, or not as exactly; designs that contradict themselves fail without being measured.
+  void measure(const std::vector<Widths>& asked, double floor) {
     std::vector<Widths> fresh;
-    for (const Widths& widths : asked) {
-      if (measured_.count(widths) > 0 || std::find(fresh.begin(), fresh.end(), widths) != fresh.end()) continue;
-      if (cost_of(widths)) fresh.push_back(widths);
-    }
+    std::size_t added = 0;
     const std::size_t left =
         static_cast<std::size_t>(problem_.limit) - std::min(measured_.size(), static_cast<std::size_t>(problem_.limit));
-    const bool too_many = fresh.size() > left;
-    if (too_many) fresh.resize(left);
+    bool too_many = false;
+    for (const Widths& widths : asked) {
+      const auto known = measured_.find(widths);
+      if (known != measured_.end() && known->second.is_known(floor)) continue;
+      if (std::find(fresh.begin(), fresh.end(), widths) != fresh.end() || !cost_of(widths)) continue;
+      if (known == measured_.end() && ++added > left) {
+        too_many = true;
+        break;
+      }
+      fresh.push_back(widths);
+    }
     if (!fresh.empty()) {
-      const std::vector<double> qualities = problem_.measure(fresh);
+      const std::vector<double> qualities = problem_.measure(fresh, floor);
       BUMP_ASSERT(qualities.size() == fresh.size());
-      for (std::size_t i = 0; i < fresh.size(); ++i) note(fresh[i], std::isnan(qualities[i]) ? -infinity : qualities[i]);
+      for (std::size_t i = 0; i < fresh.size(); ++i) note(fresh[i], std::isnan(qualities[i]) ? -infinity : qualities[i], floor);
     }
     if (too_many) throw LimitReached();
   }
 
-  void note(const Widths& widths, double quality) {
-    measured_[widths] = quality;
-    if (quality > -infinity &&
-        (!best_ || quality > measured_.at(*best_) || (quality == measured_.at(*best_) && *cost_of(widths) < *cost_of(*best_))))
-      best_ = widths;
+  void note(const Widths& widths, double quality, double floor) {
+    measured_[widths] = {quality, floor};
+    if (quality > -infinity && (!best_ || is_better(widths, *best_))) best_ = widths;
     if (quality >= problem_.target && (!reached_ || *cost_of(widths) < *cost_of(*reached_))) reached_ = widths;
   }
-
-  double quality_of(const Widths& widths) {
-    measure({widths});
-    const auto known = measured_.find(widths);
-    return known != measured_.end() ? known->second : -infinity;
+  bool is_better(const Widths& one, const Widths& other) {
+    const double of_one = measured_.at(one).quality, of_other = measured_.at(other).quality;
+    return of_one != of_other ? of_one > of_other : *cost_of(one) < *cost_of(other);
   }
-  bool reaches(const Widths& widths) { return quality_of(widths) >= problem_.target; }
+
+  double quality_of(const Widths& widths, double floor = -infinity) {
+    measure({widths}, floor);
+    const auto known = measured_.find(widths);
+    return known != measured_.end() ? known->second.quality : -infinity;
+  }
+  bool reaches(const Widths& widths) { return quality_of(widths, problem_.target) >= problem_.target; }
 
   // ---- steps
 
@@ -125,31 +174,33 @@ class Search {
   Widths climb() {
     std::vector<Widths> line;
     for (int step = 0; step < steps(); ++step) line.push_back(together_at(step));
-    measure(line);
-    while (best_ && !reached_ && measured_.at(*best_) >= problem_.target - worth_climbing) {
-      const double before = measured_.at(*best_);
+    measure(line, -infinity);
+    while (best_ && !reached_ && measured_.at(*best_).quality >= problem_.target - worth_climbing) {
+      const double before = measured_.at(*best_).quality;
       std::vector<Widths> neighbours;
       for (std::size_t i = 0; i < count_; ++i)
         for (const int change : {1, -1})
           if (const Widths next = changed(*best_, i, change); is_allowed(next)) neighbours.push_back(next);
-      measure(neighbours);
-      if (measured_.at(*best_) < before + least_gain) break;
+      measure(neighbours, -infinity);
+      if (measured_.at(*best_).quality < before + least_gain) break;
     }
     return reached_ ? *reached_ : best_ ? *best_ : widest_;
   }
 
-  void bisect_together() {
+  /// A step at which all together reach the target, and at the one below not.
+  int narrowest_together() {
     int fails = -1, holds = steps();
     while (holds - fails > 1) {
       const int middle = (fails + holds) / 2;
       (reaches(together_at(middle)) ? holds : fails) = middle;
     }
+    return holds;
   }
 
   /// The narrowest widths reach the target, and no bit more makes anything cheaper.
   bool nothing_is_narrower() {
     const Widths narrowest = together_at(0);
-    if (!measured_.count(narrowest) || !(measured_.at(narrowest) >= problem_.target)) return false;
+    if (!measured_.count(narrowest) || !(measured_.at(narrowest).quality >= problem_.target)) return false;
     for (std::size_t i = 0; i < count_; ++i) {
       const Widths wider = changed(narrowest, i, 1);
       if (is_allowed(wider) && cost_of(wider) && *cost_of(wider) < *cost_of(narrowest)) return false;
@@ -157,21 +208,26 @@ class Search {
     return true;
   }
 
-  /// Every width alone, the others as in `base`, side by side.
-  void scan(const Widths& base, NoiseModel& noise) {
+  /// Every width alone from that in `from` down, the others as in `base`, side by side.
+  void scan(const Widths& base, const Widths& from, NoiseModel& noise) {
+    const double floor = problem_.target - scanned_below;
     std::vector<std::size_t> going;
-    for (std::size_t i = 0; i < count_; ++i) going.push_back(i);
-    for (int below = 1; !going.empty(); ++below) {
+    Widths value;
+    for (std::size_t i = 0; i < count_; ++i) {
+      value.push_back(std::min(from[i], base[i] - 1));
+      if (value[i] >= problem_.ranges[i].low) going.push_back(i);
+    }
+    for (bool first = true; !going.empty(); first = false) {
       std::vector<Widths> asked;
-      going.erase(std::remove_if(going.begin(), going.end(), [&](std::size_t i) { return base[i] - below < problem_.ranges[i].low; }),
-                  going.end());
-      for (const std::size_t i : going) asked.push_back(changed(base, i, -below));
-      measure(asked);
+      for (const std::size_t i : going) asked.push_back(changed(base, i, value[i] - base[i]));
+      measure(asked, floor);
       std::vector<std::size_t> further;
       for (std::size_t k = 0; k < going.size(); ++k) {
-        const double quality = quality_of(asked[k]);
-        noise.set(going[k], base[going[k]] - below, quality);
-        if (quality >= problem_.target - scanned_below) further.push_back(going[k]);
+        const std::size_t i = going[k];
+        const double quality = quality_of(asked[k], floor);
+        noise.set(i, value[i], quality);
+        if (first) noise.fade(i, value[i]);
+        if (quality >= floor && --value[i] >= problem_.ranges[i].low) further.push_back(i);
       }
       going = further;
     }
@@ -185,7 +241,7 @@ class Search {
     for (;;) {
       std::vector<Widths> asked = {widths};
       while (asked.size() < together / 2 && add_bit(noise, base, widths)) asked.push_back(widths);
-      measure(asked);
+      measure(asked, problem_.target);
       if (std::any_of(asked.begin(), asked.end(), [&](const Widths& one) { return reaches(one); }) || !add_bit(noise, base, widths)) return;
     }
   }
@@ -232,11 +288,11 @@ class Search {
   /// True if one of them reaches the target and is cheaper.
   bool try_cheaper(const std::vector<Candidate>& candidates) {
     const FitCost before = *cost_of(*reached_);
-    for (std::size_t begin = 0; begin < std::min(candidates.size(), patience); begin += together) {
+    for (std::size_t begin = 0; begin < std::min(candidates.size(), problem_.patience); begin += together) {
       std::vector<Widths> asked;
       for (std::size_t i = begin; i < std::min(candidates.size(), begin + together); ++i)
         if (!is_hopeless(candidates[i].widths)) asked.push_back(candidates[i].widths);
-      measure(asked);
+      measure(asked, problem_.target);
       if (*cost_of(*reached_) < before) return true;
     }
     return false;
@@ -244,8 +300,8 @@ class Search {
 
   /// Narrower everywhere than one that is clearly not good enough.
   bool is_hopeless(const Widths& widths) const {
-    for (const auto& [known, quality] : measured_) {
-      if (quality >= problem_.target - surely_worse) continue;
+    for (const auto& [known, value] : measured_) {
+      if (value.quality >= problem_.target - surely_worse) continue;
       bool covers = true;
       for (std::size_t i = 0; i < count_ && covers; ++i) covers = known[i] >= widths[i];
       if (covers) return true;
@@ -256,7 +312,7 @@ class Search {
   /// Cheaper neighbours that are not known yet: those predicted to reach the target by cost, then the others by what they lack.
   std::vector<Candidate> hopeful_neighbours(const NoiseModel& noise, const Widths& from) {
     const FitCost cost = *cost_of(from);
-    const double quality = measured_.at(from);
+    const double quality = measured_.at(from).quality;
     std::vector<Candidate> candidates;
     for (const Widths& widths : neighbours(from)) {
       if (measured_.count(widths) > 0) continue;
@@ -304,7 +360,7 @@ class Search {
   std::size_t count_;
   Widths widest_;
   std::map<Widths, std::optional<FitCost>> costs_;
-  std::map<Widths, double> measured_;
+  std::map<Widths, Measured> measured_;
   std::optional<Widths> best_, reached_;
 };
 

@@ -13,11 +13,6 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-bool is_width(const Parameter& parameter, const std::string& id) {
-  return parameter.key.rfind(id + ".", 0) == 0 && std::holds_alternative<std::int64_t>(parameter.fallback) &&
-         (parameter.unit == "bits" || parameter.unit == "stages") && !ends_with(parameter.key, "integer_bits");
-}
-
 void add(const Netlist& netlist, std::string& text) {
   text += netlist.name() + ":\n";
   for (const Node& node : netlist.nodes()) {
@@ -59,8 +54,16 @@ std::optional<std::string> signature_of(const Scheme& scheme, const Configuratio
 
 }  // namespace
 
+bool is_fit_width(const Parameter& parameter) {
+  return std::holds_alternative<std::int64_t>(parameter.fallback) && (parameter.unit == "bits" || parameter.unit == "stages") &&
+         !ends_with(parameter.key, "integer_bits");
+}
+
 std::string design_signature(const Design& design) {
   std::string text;
+  for (const Interpolant& interpolant : design.interpolants)
+    text += fmt::format("{} {}\n", interpolant.name, static_cast<int>(interpolant.kind));
+  text += fmt::format("{} {} {}\n", design.map.filterable, design.map.in_object_space, static_cast<bool>(design.map.bake));
   add(design.vertex, text);
   if (design.conversion) add(*design.conversion, text);
   add(design.environment, text);
@@ -87,7 +90,7 @@ FitParameters fit_parameters(const Scheme& scheme, const Configuration& configur
   std::vector<std::string> keys;
   Widths widest;
   for (const auto& [key, parameter] : configuration.parameters().all()) {
-    if (!is_width(parameter, scheme.page().id)) continue;
+    if (key.rfind(scheme.page().id + ".", 0) != 0 || !is_fit_width(parameter)) continue;
     if (configuration.entries().at(key).origin.file != "default") {
       parameters.set.push_back(key);
       continue;

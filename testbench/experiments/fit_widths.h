@@ -19,13 +19,17 @@ struct FitParameters {
   std::vector<std::string> idle;  ///< without effect under these settings
 };
 
+/// A whole number of bits or CORDIC stages that does not only move the binary point.
+bool is_fit_width(const Parameter& parameter);
+
 /// Throws Error(input) if settings contradict one another whatever the widths.
 FitParameters fit_parameters(const Scheme& scheme, const Configuration& configuration);
 
 /// The configuration with these widths for these keys.
 Configuration with_widths(const Configuration& configuration, const std::vector<std::string>& keys, const Widths& widths);
 
-/// Everything about a design that widths can change, as text: nodes, formats, tables' sizes and texels. Equal texts compute the same.
+/// Everything about a design that widths and choices can change, as text: nodes, formats, tables' sizes, interpolants and texels. Equal
+/// texts compute the same, unless a map is baked for its surface, of which the text says only that it is.
 std::string design_signature(const Design& design);
 
 }  // namespace bump

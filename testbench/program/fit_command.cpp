@@ -1,4 +1,4 @@
-// `bumpsim fit`: the cheapest widths and table sizes of schemes that reach a quality on the worst of several scenes.
+// `bumpsim fit`: the cheapest structure, widths and table sizes of schemes that reach a quality on the worst of several scenes.
 
 #include <fmt/core.h>
 
@@ -50,7 +50,7 @@ int report_failures(const Fit& fit) {
 
 int fit_command(const FitArguments& arguments) {
   const std::atomic<bool>& interrupted = watch_interrupts();
-  if (!std::isfinite(arguments.psnr_db)) throw Error({"--psnr is no number", {}, "", "dB, e.g. --psnr 40"});
+  if (!std::isfinite(arguments.psnr_db)) throw Error({"--psnr is no number", {}, "the quality to reach is a ratio in dB", "--psnr 40"});
   if (!arguments.out.empty()) check_output_file(arguments.out, arguments.force);
   const std::vector<const Scheme*> schemes = schemes_of(arguments.schemes);
   const Configuration configuration = configure(arguments.configuration_files, arguments.settings);
@@ -60,6 +60,7 @@ int fit_command(const FitArguments& arguments) {
   options.against = arguments.against == "double" ? FitAgainst::own_double : FitAgainst::reference;
   options.book = make_price_book(tables);
   options.cost = cost_of(arguments, options.book);
+  options.search_structure = arguments.structure == "search";
   options.limit = arguments.designs;
   options.jobs = arguments.jobs;
   options.cancelled = &interrupted;
@@ -67,7 +68,7 @@ int fit_command(const FitArguments& arguments) {
   std::deque<Scene> read;
   std::vector<const Scene*> scenes;
   for (const std::string& name : arguments.scenes) {
-    read.push_back(read_scene(find_scene_path(name, scene_folders())));
+    read.push_back(read_scene(scene_path(name)));
     for (const std::string& warning : read.back().warnings) warn(read.back().name + ": " + warning);
     scenes.push_back(&read.back());
   }

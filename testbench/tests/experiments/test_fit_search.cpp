@@ -89,7 +89,7 @@ FitProblem problem_of(const MadeUp& system, double target) {
   problem.target = target;
   problem.limit = 600;
   problem.cost = [&system](const Widths& widths) { return system.cost(widths); };
-  problem.measure = [&system](const std::vector<Widths>& designs) {
+  problem.measure = [&system](const std::vector<Widths>& designs, double) {
     std::vector<double> qualities;
     for (const Widths& widths : designs) qualities.push_back(system.quality(widths));
     return qualities;
@@ -141,13 +141,13 @@ TEST_CASE("no design is measured twice, and none that contradicts itself") {
   problem.cost = [&](const Widths& widths) { return contradicts(widths) ? std::nullopt : std::optional<FitCost>(system.cost(widths)); };
   std::set<Widths> seen;
   const auto plain = problem.measure;
-  problem.measure = [&](const std::vector<Widths>& designs) {
+  problem.measure = [&](const std::vector<Widths>& designs, double floor) {
     for (const Widths& widths : designs) {
       CHECK(seen.insert(widths).second);
       CHECK_FALSE(contradicts(widths));
       for (std::size_t i = 0; i < widths.size(); ++i) CHECK((widths[i] >= system.ranges[i].low && widths[i] <= system.ranges[i].high));
     }
-    return plain(designs);
+    return plain(designs, floor);
   };
   const FitAnswer answer = search_widths(problem);
   CHECK(answer.reached);
@@ -179,7 +179,7 @@ TEST_CASE("the widest design need not be the best") {
   const MadeUp system = made_up(11, 3);
   FitProblem problem = problem_of(system, 45);
   const int spoiling = system.ranges[0].high;
-  problem.measure = [&](const std::vector<Widths>& designs) {
+  problem.measure = [&](const std::vector<Widths>& designs, double) {
     std::vector<double> qualities;
     for (const Widths& widths : designs) qualities.push_back(widths[0] == spoiling ? 42 : system.quality(widths));
     return qualities;
@@ -196,9 +196,9 @@ TEST_CASE("the limit ends a search with the best that it has, and designs that f
     problem.limit = limit;
     int asked = 0;
     const auto plain = problem.measure;
-    problem.measure = [&](const std::vector<Widths>& designs) {
+    problem.measure = [&](const std::vector<Widths>& designs, double floor) {
       asked += static_cast<int>(designs.size());
-      return plain(designs);
+      return plain(designs, floor);
     };
     const FitAnswer answer = search_widths(problem);
     INFO(limit);
@@ -209,7 +209,7 @@ TEST_CASE("the limit ends a search with the best that it has, and designs that f
     CHECK(system.quality(answer.widths) >= 44);
   }
   FitProblem broken = problem_of(system, 44);
-  broken.measure = [](const std::vector<Widths>& designs) {
+  broken.measure = [](const std::vector<Widths>& designs, double) {
     return std::vector<double>(designs.size(), std::numeric_limits<double>::quiet_NaN());
   };
   const FitAnswer none = search_widths(broken);
@@ -222,7 +222,7 @@ TEST_CASE("a design without widths is measured as it is") {
   FitProblem problem;
   problem.target = 30;
   problem.cost = [](const Widths&) { return FitCost{1}; };
-  problem.measure = [](const std::vector<Widths>& designs) { return std::vector<double>(designs.size(), 31.0); };
+  problem.measure = [](const std::vector<Widths>& designs, double) { return std::vector<double>(designs.size(), 31.0); };
   CHECK(search_widths(problem).reached);
   problem.target = 32;
   const FitAnswer answer = search_widths(problem);
@@ -246,4 +246,61 @@ TEST_CASE("noises that were measured alone add up") {
   // What was measured of a design corrects what is said of its neighbours.
   CHECK(noise.quality({7, 8}, {7, 8}, 46) == Approx(46));
   CHECK(noise.quality({7, 9}, {7, 8}, 46) < noise.quality({7, 9}));
+}
+
+TEST_CASE("what is known of a width fades by 6 dB a bit towards the base") {
+  NoiseModel noise({{4, 8}}, {8}, 90);
+  noise.set(0, 5, 40);
+  noise.fade(0, 5);
+  CHECK(noise.quality({5}) == Approx(40));
+  CHECK(noise.quality({6}) == Approx(46).margin(0.1));
+  CHECK(noise.quality({7}) == Approx(52).margin(0.1));
+  CHECK(noise.quality({8}) == Approx(90));
+}
+
+TEST_CASE("qualities need not be exact below the floor that a search names") {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const MadeUp system = made_up(seed, 2 + seed % 4);
+    const double target = 40 + seed % 12;
+    FitProblem vague = problem_of(system, target);
+    vague.measure = [&system](const std::vector<Widths>& designs, double floor) {
+      std::vector<double> qualities;
+      for (const Widths& widths : designs) {
+        const double quality = system.quality(widths);
+        qualities.push_back(quality < floor ? std::max(quality, floor - 0.001) : quality);
+      }
+      return qualities;
+    };
+    const FitAnswer exact = search_widths(problem_of(system, target)), answer = search_widths(vague);
+    INFO("seed " << seed);
+    CHECK(answer.reached == exact.reached);
+    if (!exact.reached) continue;
+    CHECK(system.quality(answer.widths) >= target);
+    CHECK(answer.quality == system.quality(answer.widths));
+    CHECK(answer.cost == exact.cost);
+  }
+}
+
+TEST_CASE(
+    "near the answer of a design that is alike, a search takes fewer measurements, and finds nothing that costs more than its bound") {
+  int near_measured = 0, far_measured = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    MadeUp system = made_up(seed, 5);
+    const FitAnswer far = search_widths(problem_of(system, 44));
+    if (!far.reached) continue;
+    for (double& noise : system.noise) noise *= 1.3;  // the other design
+    FitProblem problem = problem_of(system, 44);
+    for (const int width : far.widths) problem.near.push_back(width);
+    problem.near[1] = std::nullopt;
+    const FitAnswer near = search_widths(problem), alone = search_widths(problem_of(system, 44));
+    INFO("seed " << seed);
+    REQUIRE(near.reached);
+    CHECK(system.quality(near.widths) >= 44);
+    CHECK(near.cost[0] <= 1.25 * alone.cost[0]);
+    near_measured += near.measured;
+    far_measured += alone.measured;
+    problem.bound = {alone.cost[0] / 4};  // out of reach: given up early
+    CHECK(search_widths(problem).measured <= near.measured);
+  }
+  CHECK(near_measured < far_measured);
 }

@@ -1,5 +1,6 @@
 // `bumpsim fit` and `bumpsim pareto` as a user meets them.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -42,12 +43,17 @@ TEST_CASE("the design that a fit finds has the quality that a run of it has") {
   const Json& row = fit["rows"][0];
   CHECK(row["status"] == "reached");
   CHECK(row["search_complete"] == true);
-  CHECK(row["without_effect"] == Json{"peercy1997.root_table_bits"});
+  CHECK(row["choices"].size() == 2);
+  CHECK(row["choices_kept"].size() == 2);
 
   std::string settings;
   for (const Json& width : row["chosen"]) {
     CHECK((width["bits"] >= width["least"] && width["bits"] <= width["most"]));
     settings += " --set " + width["key"].get<std::string>() + "=" + std::to_string(width["bits"].get<int>());
+  }
+  for (const Json& choice : row["choices"]) {
+    CHECK(std::find(choice["values"].begin(), choice["values"].end(), choice["value"]) != choice["values"].end());
+    settings += " --set " + choice["key"].get<std::string>() + "=" + choice["value"].get<std::string>();
   }
   double worst = 1e9;
   for (const Json& scene : row["scenes"]) {
@@ -66,6 +72,37 @@ TEST_CASE("the design that a fit finds has the quality that a run of it has") {
   }
   CHECK(worst >= 45);
   CHECK(row["psnr_worst_db"] == worst);
+}
+
+TEST_CASE("a structure that is searched costs no more than the given one, and one that is kept or set stays") {
+  const TemporaryFolder folder;
+  folder.write("one.toml", tiny_scene());
+  const std::string command = "fit one.toml --scheme peercy1997 --psnr 40 --cost multipliers --designs 150 --json";
+  const auto row_of = [&](const std::string& more) { return Json::parse(bumpsim(command + more, folder.path()).out)["rows"][0]; };
+  const Json searched = row_of(""), kept = row_of(" --structure keep"), set = row_of(" --set peercy1997.transform=pixel");
+  CHECK(searched["multipliers"] < kept["multipliers"]);
+  CHECK(searched["structure"].get<std::string>().find("transform=vertex") != std::string::npos);
+  CHECK(searched["variants_possible"] == 4);
+  CHECK(kept["structure"] == "");
+  CHECK(kept["choices_not_searched"].size() == 2);
+  CHECK(kept["without_effect"] == Json{"peercy1997.root_table_bits"});
+  CHECK(set["structure"].get<std::string>().find("transform") == std::string::npos);
+  CHECK(set["set"] == Json{"peercy1997.transform"});
+  CHECK(set["variants_possible"] == 2);
+  CHECK(set["multipliers"] <= kept["multipliers"]);
+}
+
+TEST_CASE("a design whose words ended at their least is marked as an upper bound, and names them") {
+  const TemporaryFolder folder;
+  folder.write("one.toml", tiny_scene());
+  const std::string command = "fit one.toml --scheme peercy1997 --structure keep --psnr ";
+  const Json easy = Json::parse(bumpsim(command + "12 --json", folder.path()).out)["rows"][0];
+  CHECK(easy["upper_bound"] == true);
+  for (const Json& width : easy["chosen"]) {
+    const bool named = easy["least_allowed"].get<std::string>().find(width["key"].get<std::string>()) != std::string::npos;
+    if (named) CHECK(width["bits"] == width["least"]);
+  }
+  CHECK(bumpsim(command + "12", folder.path()).out.find("reached, upper bound") != std::string::npos);
 }
 
 TEST_CASE("a fit is the same for any number of jobs, and widths that are set stay") {
@@ -94,7 +131,7 @@ TEST_CASE("a quality that a scheme's formula does not have is a row that says so
   INFO(text.err);
   CHECK(text.code == 0);
   CHECK(text.out.find("not reached. The best of") != std::string::npos);
-  CHECK(text.out.find("Its formula itself has") != std::string::npos);
+  CHECK(text.out.find("The formula of the one shown has") != std::string::npos);
   const Json fit = Json::parse(bumpsim("fit one.toml --scheme lee2007 --psnr 60 --json", folder.path()).out);
   CHECK(fit["rows"][0]["status"] == "not_reached");
   CHECK(fit["rows"][0]["psnr_worst_db"] < 60);
@@ -104,7 +141,7 @@ TEST_CASE("a quality that a scheme's formula does not have is a row that says so
 TEST_CASE("prices name their table, and the cheapest area is not more than that of the fewest table bits") {
   const TemporaryFolder folder;
   folder.write("one.toml", tiny_scene());
-  const std::string command = "fit one.toml --scheme exact_polar --against double --psnr 30 --prices osu018_model --json";
+  const std::string command = "fit one.toml --scheme exact_polar --structure keep --against double --psnr 30 --prices osu018_model --json";
   const Json area = Json::parse(bumpsim(command, folder.path()).out)["rows"][0];
   const Json bits = Json::parse(bumpsim(command + " --cost table_bits", folder.path()).out)["rows"][0];
   CHECK(area["cost"] == "area");
@@ -146,8 +183,8 @@ TEST_CASE("the table of a fit goes straight into a front, in either format, with
   const TemporaryFolder folder;
   folder.write("one.toml", tiny_scene());
   for (const std::string format : {"csv", "json"})
-    REQUIRE(bumpsim("fit one.toml --scheme peercy1997,phong1975,lee2007,ernst1998 --psnr 40 --designs 40 --format " + format +
-                        " --out fit." + format,
+    REQUIRE(bumpsim("fit one.toml --scheme peercy1997,phong1975,lee2007,ernst1998 --psnr 40 --structure keep --designs 40 --format " +
+                        format + " --out fit." + format,
                     folder.path())
                 .code == 0);
   const Outcome csv = bumpsim("pareto fit.csv --x table_bits --y psnr --format csv --out plot.svg --log x", folder.path());
@@ -187,7 +224,11 @@ TEST_CASE("wrong use of fit and pareto is explained") {
       {"fit one.toml --psnr 40 --set lee2007.word_bits=99", "allowed"},
       {"fit one.toml --psnr 40 --against truth", "--against"},
       {"fit one.toml --psnr 40 --designs 0", "--designs"},
+      {"fit one.toml --psnr 40 --structure all", "--structure"},
       {"pareto t.csv --x x", "--y"},
+      {"pareto t.csv --x x --y y --out plot.png", "--out cannot write .png files"},
+      {"pareto t.csv --x x --y y --out plot.png", "try: --out plot.svg"},
+      {"pareto t.csv --x x --y y --out plot", "has no suffix"},
       {"pareto t.csv --x x --y z", "the columns of numbers are: x, y"},
       {"pareto nothing --x x --y y", "nothing"},
       {"pareto broken.csv --x x --y y", "broken.csv:2"},
