@@ -56,6 +56,9 @@ struct PipelineTiming {
 /// Keys: fifos.*, datapath.latency.*, environment.*, illumination.*, clock.*, numeric.
 void declare_pipeline_parameters(Parameters& parameters);
 
+/// The configured cycles of operators, datapath.latency.*.
+OperatorLatencies operator_latencies(const Configuration& configuration);
+
 /// The schedules of a design under the configured operator latencies and multiplier limits.
 DatapathSchedules make_schedules(const Design& design, const Netlist& colour, const Configuration& configuration);
 

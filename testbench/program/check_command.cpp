@@ -71,7 +71,7 @@ int check_configuration(const std::string& path, bool json) {
 }  // namespace
 
 int check_command(const CheckArguments& arguments) {
-  const std::string path = find_scene_path(arguments.file, scene_folders());
+  const std::string path = scene_path(arguments.file);
   const bool toml = std::filesystem::path(path).extension() == ".toml";
   if (toml && !is_scene(path)) return check_configuration(path, arguments.json);
   return check_scene(path, arguments.json);

@@ -218,7 +218,7 @@ int command_line(int argc, char* argv[]) {
   command->callback([&] { chosen = [&] { return merge_command(merge); }; });
 
   FitArguments fit;
-  command = program.add_subcommand("fit", "the cheapest widths and table sizes of schemes that reach a quality on the worst of several scenes");
+  command = program.add_subcommand("fit", "the cheapest structure, widths and table sizes of schemes that reach a quality on the worst of several scenes");
   command->add_option("scenes", fit.scenes, "shipped scenes, scene files (.toml) or meshes (.obj)")->required()->type_name("SCENE...");
   command->add_option("--scheme,--schemes", fit.schemes, "ids with commas between, or all")->capture_default_str()->type_name("A,B,...");
   command->add_option("--psnr", fit.psnr_db, "quality to reach, in dB")->required()->check(CLI::Range(1.0, 200.0))->type_name("DB");
@@ -233,6 +233,9 @@ int command_line(int argc, char* argv[]) {
       ->type_name("NAME|FILE")
       ->allow_extra_args(false)
       ->check(named());
+  command->add_option("--structure", fit.structure,
+                      "search: a scheme's choices (filters, where angles are formed, ports ...) as well as its widths; keep: widths alone")
+      ->check(CLI::IsMember({"search", "keep"}))->capture_default_str();
   command->add_option("--designs", fit.designs, "designs measured at most, for each scheme")->check(CLI::Range(1, 100000))->capture_default_str()->type_name("N");
   add_format(*command, fit.format);
   command->add_option("--out", fit.out, "file to write (default: stdout)")->type_name("FILE")->check(named());
@@ -284,6 +287,20 @@ int command_line(int argc, char* argv[]) {
   add_json(*command, luts.json);
   command->callback([&] { chosen = [&] { return luts_command(luts); }; });
 
+  RtlArguments rtl;
+  command = program.add_subcommand("rtl", "write a scheme's per-pixel units as Verilog, with vectors, test benches and checks by other tools");
+  command->add_option("scheme", rtl.scheme, "see: bumpsim list schemes")->required()->type_name("SCHEME");
+  command->add_option("--unit", rtl.units, "environment, illumination, conversion or light_map_address; may be repeated (default: all that there are)")
+      ->type_name("UNIT")
+      ->allow_extra_args(false);
+  command->add_option("--vectors", rtl.vectors, "test vectors of each unit")->check(CLI::Range(2, 10000000))->capture_default_str()->type_name("N");
+  command->add_option("--seed", rtl.seed, "of their random words")->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53))->capture_default_str()->type_name("S");
+  command->add_option("--out", rtl.out, "folder to write; must not exist or be empty")->required()->type_name("DIR")->check(named());
+  command->add_flag("--force", rtl.force, "replace an earlier folder of this command in --out");
+  add_configuration(*command, rtl.configuration_files, rtl.settings);
+  add_json(*command, rtl.json);
+  command->callback([&] { chosen = [&] { return rtl_command(rtl); }; });
+
   ProbeArguments probe;
   command = program.add_subcommand("probe", "evaluate one unit's netlist on given inputs and print every node");
   command->add_option("scheme", probe.scheme)->required()->type_name("SCHEME");
@@ -301,7 +318,7 @@ int command_line(int argc, char* argv[]) {
     return report_failure(ErrorKind::input, bad_usage(program, error, argc, argv), asks_for_json(argc, argv));
   }
 
-  const bool json = run.json || compare.json || table1.json || table2.json || list.json || describe.json || check.json || luts.json || probe.json ||
+  const bool json = run.json || compare.json || table1.json || table2.json || list.json || describe.json || check.json || luts.json || probe.json || rtl.json ||
                     retime.json || retime.format == "json" || compare.format == "json" || price.json || price.format == "json" || fit.json || fit.format == "json" || pareto.json || pareto.format == "json";
   try {
     const int code = chosen();

@@ -2,6 +2,7 @@
 // The commands of the program, one function each; every one returns the process exit code or throws Error. Results go to stdout,
 // progress and warnings to stderr.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -115,11 +116,12 @@ struct FitArguments {
   std::string against = "reference";  ///< or "double"
   std::string cost;                   ///< multipliers, adders, table_bits, area or energy; empty: area or energy if priced, else table_bits
   std::vector<std::string> prices;    ///< names or files; none: unpriced
-  int designs = 300;                  ///< measured at most, for each scheme
+  std::string structure = "search";   ///< or "keep"
+  int designs = 600;                  ///< measured at most, for each scheme
   std::string format = "text";        ///< text, md, csv or json
   std::string out;                    ///< file; empty: stdout
   std::vector<std::string> configuration_files;
-  std::vector<std::string> settings;  ///< widths among them are left as set
+  std::vector<std::string> settings;  ///< widths and choices among them are left as set
   int jobs = 0;
   bool force = false;
   bool json = false;  ///< short for format json
@@ -166,6 +168,19 @@ struct LutsArguments {
   bool json = false;
 };
 int luts_command(const LutsArguments& arguments);
+
+struct RtlArguments {
+  std::string scheme;
+  std::vector<std::string> units;  ///< none: all datapath units
+  std::string out;                 ///< folder
+  int vectors = 1000;              ///< of each unit
+  std::uint64_t seed = 1;
+  std::vector<std::string> configuration_files;
+  std::vector<std::string> settings;
+  bool force = false;
+  bool json = false;
+};
+int rtl_command(const RtlArguments& arguments);
 
 struct ProbeArguments {
   std::string scheme, unit;

@@ -77,7 +77,7 @@ int compare_command(const CompareArguments& arguments) {
   const std::vector<const Scheme*> schemes = schemes_of(arguments.schemes);
   const Configuration configuration = configure(arguments.configuration_files, arguments.settings);
   if (!arguments.out.empty()) check_output_folder(arguments.out, arguments.force, comparison_folder_kind);
-  const Scene scene = read_scene(find_scene_path(arguments.scene, scene_folders()));
+  const Scene scene = read_scene(scene_path(arguments.scene));
   for (const std::string& warning : scene.warnings) warn(warning);
 
   const Comparison comparison = compare_with_progress(scene, schemes, configuration, arguments, interrupted);

@@ -2,6 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "datapath/error.h"
 #include "testbench/experiments/pareto.h"
 #include "testbench/experiments/pareto_formats.h"
 #include "testbench/experiments/result_table.h"
@@ -26,10 +31,24 @@ std::string in_format(const ParetoFront& front, const ParetoArguments& arguments
   return pareto_document(front, arguments.format == "md");
 }
 
+/// A picture under the name of another format is one that no viewer opens.
+void refuse_other_picture(const std::string& file) {
+  std::string suffix = std::filesystem::path(file).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (suffix == ".svg") return;
+  throw Error({suffix.empty() ? "--out '" + file + "' has no suffix" : "--out cannot write " + suffix + " files",
+               {file},
+               "the plot is written as SVG",
+               "--out " + std::filesystem::path(file).replace_extension(".svg").string()});
+}
+
 }  // namespace
 
 int pareto_command(const ParetoArguments& arguments) {
-  if (!arguments.out.empty()) check_output_file(arguments.out, arguments.force);
+  if (!arguments.out.empty()) {
+    refuse_other_picture(arguments.out);
+    check_output_file(arguments.out, arguments.force);
+  }
   const ResultTable table = read_result_table(arguments.table);
   ParetoOptions options;
   options.x = axis_of(arguments.x, arguments.x_better, arguments.log.find('x') != std::string::npos);

@@ -23,6 +23,11 @@ namespace {
 
 std::array<const Scheme*, 2> pair_of(const std::string& text) {
   const std::vector<const Scheme*> schemes = schemes_of(text);
+  if (schemes.size() == 1 && text.find(',') != std::string::npos)
+    throw Error({"--break-even names " + schemes.front()->page().id + " twice",
+                 {},
+                 "a scheme costs what it costs: there is nothing to compare",
+                 "--break-even " + schemes.front()->page().id + (schemes.front()->page().id == "peercy1997" ? ",lee2007" : ",peercy1997")});
   if (schemes.size() != 2)
     throw Error({fmt::format("--break-even names {} scheme{}", schemes.size(), schemes.size() == 1 ? "" : "s"),
                  {},
@@ -66,7 +71,7 @@ int price_command(const PriceArguments& arguments) {
   Scene scene;
   std::optional<Progress> progress;
   if (!arguments.scene.empty()) {
-    scene = read_scene(find_scene_path(arguments.scene, scene_folders()));
+    scene = read_scene(scene_path(arguments.scene));
     for (const std::string& warning : scene.warnings) warn(warning);
     options.scene = &scene;
     options.work.jobs = arguments.jobs;

@@ -69,7 +69,7 @@ int run_command(const RunArguments& arguments) {
   const Configuration configuration = configure(arguments.configuration_files, arguments.settings);
   const Scheme& scheme = find_scheme(arguments.scheme);
   if (!arguments.out.empty()) check_output_folder(arguments.out, arguments.force);
-  const Scene scene = read_scene(find_scene_path(arguments.scene, scene_folders()));
+  const Scene scene = read_scene(scene_path(arguments.scene));
   for (const std::string& warning : scene.warnings) warn(warning);
   for (const std::string& warning : warnings_of(scene, scheme.page(), configuration)) warn(warning);
   const std::string out = arguments.out.empty() ? new_output_folder(scene.name, arguments.scheme) : arguments.out;

@@ -40,17 +40,19 @@ int sweep_command(const SweepArguments& arguments) {
   const std::atomic<bool>& interrupted = watch_interrupts();
   SweepRunOptions options;
   options.out = arguments.out;
-  options.version = version_text();
+  options.version = version_text() + ", models " + models_digest();
   options.jobs = arguments.jobs;
   options.anew = arguments.force;
   options.cancelled = &interrupted;
   if (!arguments.shard.empty()) options.shard = shard_of(arguments.shard);
   options.check = check_share_of(arguments.check);
-  const SweepPlan plan(read_sweep_spec(arguments.spec, all_parameters(), scene_folders()), version_text());
+  const SweepPlan plan(read_sweep_spec(arguments.spec, all_parameters(), scene_folders()), options.version);
+  for (const SweptScene& scene : plan.spec().scenes) warn_if_shadowed(scene.name);
   for (const Scene& scene : plan.scenes())
     for (const std::string& warning : scene.warnings) warn(scene.name + ": " + warning);
 
   const SweepSummary summary = sweep_with_progress(plan, options);
+  for (const std::string& damage : summary.damages) warn(damage + ": what it was about ran again");
   if (arguments.json)
     fmt::print("{}\n", summary.manifest.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   else
