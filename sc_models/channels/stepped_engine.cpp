@@ -28,7 +28,7 @@ void silence_kernel_remarks() {
 
 struct SteppedEngine::State : public sc_core::sc_module {
   State(sc_core::sc_module_name name, const TimingGraph& specification, sc_core::sc_time period, std::function<bool()> refill_records,
-        std::function<void()> done)
+        std::function<void()> done, const StageFactory& stand_in)
       : sc_module(name),
         graph(specification),
         clock("clock", period, 0.5, period, true),
@@ -39,7 +39,7 @@ struct SteppedEngine::State : public sc_core::sc_module {
     for (const FifoSpec& fifo : graph.fifos) fifos.push_back(std::make_unique<SteppedFifo>(fifo));
     for (const MemorySpec& memory : graph.memories)
       memories.push_back(std::make_unique<SteppedMemory>(memory.name.c_str(), memory, control));
-    for (std::size_t i = 0; i < graph.stages.size(); ++i) stages.push_back(make_stage(static_cast<int>(i)));
+    for (std::size_t i = 0; i < graph.stages.size(); ++i) stages.push_back(make_stage(static_cast<int>(i), stand_in));
     SC_HAS_PROCESS(State);
     SC_THREAD(supervise);
     SC_METHOD(sample);
@@ -50,20 +50,20 @@ struct SteppedEngine::State : public sc_core::sc_module {
     if (trace_file != nullptr) sc_core::sc_close_vcd_trace_file(trace_file);
   }
 
-  std::unique_ptr<SteppedStage> make_stage(int index) {
-    std::vector<SteppedFifo*> inputs;
-    for (const int f : graph.inputs_of(index)) inputs.push_back(fifos[static_cast<std::size_t>(f)].get());
-    std::vector<SteppedStage::Output> outputs;
+  std::unique_ptr<ClockedStage> make_stage(int index, const StageFactory& stand_in) {
+    const StageSpec& spec = graph.stages[static_cast<std::size_t>(index)];
+    StageParts parts{spec, {}, {}, spec.memory < 0 ? nullptr : memories[static_cast<std::size_t>(spec.memory)].get(), control};
+    for (const int f : graph.inputs_of(index)) parts.inputs.push_back(fifos[static_cast<std::size_t>(f)].get());
     for (const int f : graph.outputs_of(index)) {
       const int consumer = graph.fifos[static_cast<std::size_t>(f)].to;
-      outputs.push_back({fifos[static_cast<std::size_t>(f)].get(), graph.stages[static_cast<std::size_t>(consumer)].batch > 1});
+      parts.outputs.push_back({fifos[static_cast<std::size_t>(f)].get(), graph.stages[static_cast<std::size_t>(consumer)].batch > 1});
     }
-    const StageSpec& spec = graph.stages[static_cast<std::size_t>(index)];
-    SteppedMemory* memory = spec.memory < 0 ? nullptr : memories[static_cast<std::size_t>(spec.memory)].get();
-    return std::make_unique<SteppedStage>(spec.name.c_str(), spec, inputs, outputs, memory, control);
+    if (stand_in)
+      if (std::unique_ptr<ClockedStage> other = stand_in(parts)) return other;
+    return std::make_unique<SteppedStage>(spec.name.c_str(), parts);
   }
 
-  SteppedStage& stage(int index) {
+  ClockedStage& stage(int index) {
     BUMP_ASSERT(index >= 0 && static_cast<std::size_t>(index) < stages.size() && !control.done);
     return *stages[static_cast<std::size_t>(index)];
   }
@@ -96,6 +96,7 @@ struct SteppedEngine::State : public sc_core::sc_module {
 
   /// Nothing will move any more: every token was delivered, or none can be.
   bool settled() {
+    for (const auto& each : stages) each->check();
     supply([this] { return wants_records(); });
     if (std::all_of(stages.begin(), stages.end(), [](const auto& each) { return each->empty(); })) return true;
     stuck = stands_still();
@@ -152,7 +153,7 @@ struct SteppedEngine::State : public sc_core::sc_module {
   std::function<void()> on_done;
   std::vector<std::unique_ptr<SteppedFifo>> fifos;
   std::vector<std::unique_ptr<SteppedMemory>> memories;
-  std::vector<std::unique_ptr<SteppedStage>> stages;
+  std::vector<std::unique_ptr<ClockedStage>> stages;
   sc_core::sc_trace_file* trace_file = nullptr;
   Cycle cycles = 0;  ///< edges so far
   Cycle last_move = -1;
@@ -163,16 +164,16 @@ struct SteppedEngine::State : public sc_core::sc_module {
 };
 
 SteppedEngine::SteppedEngine(sc_core::sc_module_name name, const TimingGraph& graph, sc_core::sc_time period, std::function<bool()> refill,
-                             std::function<void()> on_done)
+                             std::function<void()> on_done, const StageFactory& stand_in)
     : sc_module(name) {
   silence_kernel_remarks();
-  state_ = std::make_unique<State>("pipeline", graph, period, std::move(refill), std::move(on_done));
+  state_ = std::make_unique<State>("pipeline", graph, period, std::move(refill), std::move(on_done), stand_in);
 }
 
 SteppedEngine::~SteppedEngine() = default;
 
 void SteppedEngine::append(int stage, const TokenRecord* records, std::size_t count) {
-  SteppedStage& target = state_->stage(stage);
+  ClockedStage& target = state_->stage(stage);
   for (std::size_t i = 0; i < count; ++i) target.append(records[i], 1);
 }
 

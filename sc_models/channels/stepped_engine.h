@@ -4,12 +4,12 @@
 // and the host for RTL. Registers are updated between evaluations (request_update), so the order of processes within a cycle cannot
 // matter.
 
-#include <systemc>
-
 #include <functional>
 #include <memory>
 #include <string>
+#include <systemc>
 
+#include "channels/clocked_stage.h"
 #include "channels/timing_plane.h"
 
 namespace bump {
@@ -19,9 +19,9 @@ class SteppedEngine : public sc_core::sc_module, public TimingPlane {
   /// `refill` is called between clock edges while any stage has no unread record and more may come: it must append records (it may wait
   /// on SystemC events, zero time) and return false once there are no more, ever. Construct before simulation starts. Cycle 0 is the
   /// first rising edge, one period after the start of simulation. `on_done` is called once at the end, in place of sc_stop(), so that
-  /// several engines can share a simulation.
+  /// several engines can share a simulation. `stand_in`, if given, is asked for every stage, in the order of the graph.
   SteppedEngine(sc_core::sc_module_name name, const TimingGraph& graph, sc_core::sc_time period, std::function<bool()> refill,
-                std::function<void()> on_done = {});
+                std::function<void()> on_done = {}, const StageFactory& stand_in = {});
   ~SteppedEngine() override;
 
   void append(int stage, const TokenRecord* records, std::size_t count) override;

@@ -4,14 +4,13 @@
 
 namespace bump {
 
-SteppedStage::SteppedStage(sc_core::sc_module_name name, const StageSpec& spec, std::vector<SteppedFifo*> inputs,
-                           const std::vector<Output>& outputs, SteppedMemory* memory, SteppedControl& control)
-    : sc_module(name), spec_(spec), inputs_(std::move(inputs)), memory_(memory), control_(control) {
-  for (const Output& output : outputs) outputs_.push_back({output, -1});
-  statistics_.name = spec.name;
+SteppedStage::SteppedStage(sc_core::sc_module_name name, const StageParts& parts)
+    : sc_module(name), spec_(parts.spec), inputs_(parts.inputs), memory_(parts.memory), control_(parts.control) {
+  for (const StageParts::Output& output : parts.outputs) outputs_.push_back({output, -1});
+  statistics_.name = spec_.name;
   SC_HAS_PROCESS(SteppedStage);
   SC_METHOD(step);
-  sensitive << control.clock.posedge_event();
+  sensitive << control_.clock.posedge_event();
   dont_initialize();
 }
 

@@ -8,33 +8,23 @@
 #include <systemc>
 #include <vector>
 
-#include "channels/stepped_control.h"
-#include "channels/stepped_fifo.h"
-#include "channels/stepped_memory.h"
-#include "channels/untimed_replay.h"
+#include "channels/clocked_stage.h"
 
 namespace bump {
 
-class SteppedStage : public sc_core::sc_module {
+class SteppedStage : public sc_core::sc_module, public ClockedStage {
  public:
-  struct Output {
-    SteppedFifo* fifo;
-    bool needs_end;  ///< its consumer gathers batches, so the last item must be marked
-  };
-  SteppedStage(sc_core::sc_module_name name, const StageSpec& spec, std::vector<SteppedFifo*> inputs, const std::vector<Output>& outputs,
-               SteppedMemory* memory, SteppedControl& control);
+  SteppedStage(sc_core::sc_module_name name, const StageParts& parts);
 
-  void append(const TokenRecord& record, std::int64_t count);
-  /// More records must be appended before the next edge, unless there are none: to start from, or to know whether a token in flight is the
-  /// last to give to an output.
-  bool wants_records() const;
+  void append(const TokenRecord& record, std::int64_t count) override;
+  bool wants_records() const override;
 
-  bool moved() const { return moved_; }  ///< a token started or was delivered in the last cycle
-  bool counting() const;                 ///< a counter runs: something will happen without a neighbour's help
-  bool empty() const;                    ///< all tokens delivered
-  Cycle last_delivery() const { return statistics_.last_delivery; }
-  StageStatistics statistics() const;
-  UntimedState::Stage untimed() const;
+  bool moved() const override { return moved_; }
+  bool counting() const override;
+  bool empty() const override;
+  Cycle last_delivery() const override { return statistics_.last_delivery; }
+  StageStatistics statistics() const override;
+  UntimedState::Stage untimed() const override;
   void trace(sc_core::sc_trace_file* file) const override;
 
  private:
@@ -44,7 +34,7 @@ class SteppedStage : public sc_core::sc_module {
     sc_dt::int64 fills;  ///< lines that the memory must have filled
   };
   struct Port {
-    Output output;
+    StageParts::Output output;
     std::int64_t last_giver;  ///< the last known token that gives to it, -1 for none
   };
   enum class Issue { idle, busy, starved, blocked };

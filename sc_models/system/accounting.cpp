@@ -13,7 +13,7 @@ UnitCost unit_cost(const std::string& name, const Netlist& netlist, const Schedu
   cost.published = count(netlist, Portion::published);
   cost.addition = count(netlist, Portion::addition);
   cost.executions = executions;
-  if (schedule != nullptr) cost.pipeline = {schedule->latency, schedule->initiation_interval, schedule->multipliers_built};
+  if (schedule != nullptr) cost.pipeline = {schedule->unit_latency(), schedule->initiation_interval, schedule->multipliers_built};
   return cost;
 }
 

@@ -37,6 +37,7 @@ Pipeline::Pipeline(const sc_core::sc_module_name& name, std::shared_ptr<const Pi
                                                : nullptr),
       illumination_module_("illumination", failure_, shading_, light_mapped_ ? *light_mapped_ : lit_, shaded_),
       frame_sink_module_("frame_sink", failure_, frame_sink_, pool_, shaded_, [this](const FragmentBlock& block) {
+        if (retired_) retired_(block);
         out_records_.write(records_of(block));
         if (block.last) out_records_.close();
         if (watch_) watch_(vertex_processor_.counters().triangles);

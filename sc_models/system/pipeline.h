@@ -45,6 +45,8 @@ class Pipeline : public sc_core::sc_module {
   const FrameSink& frame_sink() const { return frame_sink_; }
   FrameSink::Drawn release_frames(bool with_exact) { return frame_sink_.release(with_exact); }
 
+  /// `retired` is shown every block after it has been drawn, before its records leave; before the simulation.
+  void show_retired(std::function<void(const FragmentBlock&)> retired) { retired_ = std::move(retired); }
   /// Tells a listener what the fetch units read; before the simulation. It must outlive this.
   void listen(AccessListener& listener);
   /// What the host has spent on each unit, in the order of the pipeline.
@@ -62,6 +64,7 @@ class Pipeline : public sc_core::sc_module {
   };
 
   std::function<void(std::int64_t)> watch_;
+  std::function<void(const FragmentBlock&)> retired_;
   Failure failure_;
   std::shared_ptr<BlockPool> pool_;
 

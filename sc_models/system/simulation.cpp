@@ -6,12 +6,14 @@
 #include <systemc>
 
 #include "channels/stepped_engine.h"
+#include "datapath/invariant.h"
 #include "datapath/vertex_program.h"
 #include "system/accounting.h"
 #include "system/bound.h"
 #include "system/dated_engine.h"
 #include "system/pipeline.h"
 #include "system/self_check.h"
+#include "system/stand_in.h"
 
 namespace bump {
 
@@ -99,11 +101,14 @@ class TimedRun {
       dated_.emplace("dated_engine", pipeline.failure(), timing, source(), period, last_interval_);
       return;
     }
-    stepped_.emplace("stepped_engine", timing.graph, period, [this, &timing] {
+    StageFactory stand_in;
+    if (options.stand_in != nullptr) stand_in = [&options](const StageParts& parts) { return options.stand_in->stage(parts); };
+    const auto refill = [this, &timing] {
       const auto records = source().read();
       if (records) feed(*stepped_, *records, timing, last_interval_);
       return records != nullptr;
-    });
+    };
+    stepped_.emplace("stepped_engine", timing.graph, period, refill, std::function<void()>(), stand_in);
     if (!options.trace.empty()) stepped_->trace(options.trace);
   }
 
@@ -225,6 +230,11 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   if (options.accesses) pipeline.listen(*options.accesses);
   const DatapathSchedules schedules = make_schedules(context->designs.front(), pipeline.colour().netlist(), configuration);
   const PipelineTiming timing = make_pipeline_timing(schedules, context->passes, configuration);
+  if (options.stand_in != nullptr) {
+    BUMP_ASSERT(options.engine == Engine::stepped);
+    options.stand_in->prepare(context, timing);
+    pipeline.show_retired([&options](const FragmentBlock& block) { options.stand_in->retire(block); });
+  }
   const double megahertz = configuration.number("clock.megahertz");
   // Kernel time is counted in whole picoseconds; cycles are integers of their own, so a rounded period does no harm.
   TimedRun run(pipeline, timing, options, sc_core::sc_time(1e6 / megahertz, sc_core::SC_PS));
@@ -242,6 +252,7 @@ SimulationResult simulate(const Scene& scene, const Scheme& scheme, const Config
   result.quantisation_floor_db = stated_floor_db(*context, static_cast<int>(configuration.integer("colour_unit.bits")));
   FrameSink::Drawn drawn = pipeline.release_frames(options.measure);
   result.hardware = std::move(drawn.hardware);
+  if (options.stand_in != nullptr) options.stand_in->draw(result.hardware);
   result.exact = std::move(drawn.exact);
   result.diverged = std::move(drawn.diverged);
   result.clock_megahertz = megahertz;

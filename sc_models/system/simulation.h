@@ -25,6 +25,7 @@ enum class Engine { dated, stepped, untimed };
 
 struct TimingRecords;
 class AccessListener;
+class StandIn;
 
 struct SimulationOptions {
   Engine engine = Engine::dated;
@@ -32,11 +33,13 @@ struct SimulationOptions {
   /// Without, a run is faster and has no exact frame, no angular errors and no diverged pixels.
   bool measure = true;
   bool measure_aside = false;  ///< what can be measured later is measured by a thread of its own
-  std::string trace;  ///< path of a VCD, stepped engine only; empty for none
+  std::string trace;           ///< path of a VCD, stepped engine only; empty for none
   /// Called with the timing records of every block that retires, in order, before they are dated.
   std::function<void(const TimingRecords&)> record;
   /// Told what the fetch units read, in order; null: nobody.
   AccessListener* accesses = nullptr;
+  /// Hardware in the place of stages of the clocked engine; null: every stage is its model. Must outlive the simulation.
+  StandIn* stand_in = nullptr;
   /// Called now and then with the share of triangles done, 0 to 1.
   std::function<void(double)> progress;
   /// Polled; when set, the simulation stops with an Error.
@@ -57,7 +60,7 @@ struct UnitCost {
   /// Of a netlist that is a pipeline; a vertex program runs on arithmetic units instead, maps are filled by the host, and the
   /// interpolators' latency is configured.
   struct Pipeline {
-    int latency = 0;              ///< cycles, from the schedule
+    int latency = 0;              ///< cycles, from the schedule, with the wait for shared multipliers
     int initiation_interval = 1;  ///< cycles
     int multipliers = 0;          ///< in hardware, after sharing
   };
