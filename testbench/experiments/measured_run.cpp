@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "memory/texture.h"
+#include "testbench/experiments/tangent_fit.h"
 #include "testbench/scene/config_file.h"
 
 namespace bump {
@@ -77,18 +78,57 @@ References draw_references(const Scene& scene, const Configuration& configuratio
   return drawing.finish();
 }
 
+namespace {
+
 /// Schemes whose frame is Lee's need a flag for texture charts that run the wrong way round; most of them have a parameter for it.
-std::vector<std::string> warnings_of(const Scene& scene, const SchemePage& page, const Configuration& configuration) {
+void warn_of_mirrors(const Scene& scene, const SchemePage& page, const Configuration& configuration, std::vector<std::string>& warnings) {
   const std::string key = page.id + ".mirror";
   const bool has_flag = configuration.parameters().find(key) != nullptr;
-  if (has_flag ? configuration.boolean(key) : page.mirrored_charts) return {};
-  std::vector<std::string> warnings;
+  if (has_flag ? configuration.boolean(key) : page.mirrored_charts) return;
   for (const SceneObject& object : scene.objects) {
     const auto& vertices = object.mesh->vertices;
     if (std::none_of(vertices.begin(), vertices.end(), [](const Vertex& vertex) { return vertex.handedness <= 0; })) continue;
     warnings.push_back(fmt::format("object '{}' has mirrored texture coordinates, which {} shades wrongly{}", object.name, page.id,
                                    has_flag ? " without --set " + key + "=true" : ""));
   }
+}
+
+/// What helps where the tangents do not fit: a value of the same parameter that turns every texel, or another scheme.
+std::string advice_on_tangents(const SchemePage& page, const Configuration& configuration) {
+  const auto offers = [&](const std::string& key, const char* word) {
+    const Parameter* parameter = configuration.parameters().find(key);
+    return parameter != nullptr && std::count(parameter->choices.begin(), parameter->choices.end(), word) > 0;
+  };
+  if (offers(page.id + ".frame", "pixel")) return "--set " + page.id + ".frame=pixel";
+  if (offers(page.id + ".normal", "matrix")) return "--set " + page.id + ".normal=matrix";
+  return "a scheme for any tangents";
+}
+
+void warn_of_tangents(const Scene& scene, const SchemePage& page, const Configuration& configuration, std::vector<std::string>& warnings) {
+  /// Degrees of the mean: what charts of parallels have by the meeting of their faces is far below, what was not made as one far above.
+  constexpr double worth_saying = 2;
+  const std::optional<Tangents> assumed = assumed_tangents(page, configuration);
+  if (!assumed) return;
+  const bool in_eye_space = configuration.choice("vertex_processor.space") == "eye";
+  for (const SceneObject& object : scene.objects) {
+    const ObjectSpace space = make_object_space(scene, object, glm::dmat4(1), in_eye_space ? ShadingSpace::eye : ShadingSpace::object);
+    const TangentFit fit = tangent_fit(object, space, *assumed);
+    if (fit.mean_degrees < worth_saying) continue;
+    warnings.push_back(fmt::format(
+        "object '{}' does not fit {}.frame={}{}: its tangents are {:.0f} degrees from {} on average (more than {:.0f} on {:.0f} % of the "
+        "surface), and its relief is shaded as if turned by as much; try {}",
+        object.name, page.id, configuration.choice(page.id + ".frame"), in_eye_space ? " along the camera's axes" : "", fit.mean_degrees,
+        *assumed == Tangents::parallels ? "the parallels" : "the meridians", TangentFit::off_degrees, 100 * fit.off_share,
+        advice_on_tangents(page, configuration)));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Scene& scene, const SchemePage& page, const Configuration& configuration) {
+  std::vector<std::string> warnings;
+  warn_of_mirrors(scene, page, configuration, warnings);
+  warn_of_tangents(scene, page, configuration, warnings);
   return warnings;
 }
 
@@ -99,6 +139,8 @@ MeasuredRun::MeasuredRun(const Scene& scene, const Scheme& scheme, const Configu
   report_.result = &result_;
   report_.engine = engine;
   report_.resolved_toml = to_toml(configuration);
+  report_.warnings = scene.warnings;
+  for (const std::string& warning : warnings_of(scene, scheme.page(), configuration)) report_.warnings.push_back(warning);
 }
 
 void MeasuredRun::simulate(SimulationOptions options) {
@@ -106,6 +148,7 @@ void MeasuredRun::simulate(SimulationOptions options) {
   const auto begin = std::chrono::steady_clock::now();
   result_ = bump::simulate(*report_.scene, *report_.scheme, *report_.configuration, options);
   wall_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  for (const std::string& warning : warnings()) report_.warnings.push_back(warning);
 }
 
 void MeasuredRun::measure(const References& references, int threads) {

@@ -43,7 +43,8 @@ class ReferenceDrawing {
 /// At once, on `threads` threads, of which none is left.
 References draw_references(const Scene& scene, const Configuration& configuration, const std::atomic<bool>* cancelled, int threads = 1);
 
-/// What can be said of a scheme on a scene before it is simulated: mirrored charts that it shades wrongly. One sentence each.
+/// What can be said of a scheme on a scene before it is simulated: mirrored charts that it shades wrongly, and tangents that its settings
+/// are not made for. One sentence each.
 std::vector<std::string> warnings_of(const Scene& scene, const SchemePage& page, const Configuration& configuration);
 
 /// Keeps the result beside the report that refers to it; scene, scheme and configuration must outlive it.

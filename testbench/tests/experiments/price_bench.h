@@ -25,7 +25,8 @@ inline std::string round_areas() {
          entry("area.square_root", "form = \"product\"\ncoefficient = 6") + entry("area.clamp", "form = \"linear\"\nper_width = 4") +
          entry("area.select", "form = \"linear\"\nper_width = 2") + entry("area.negate", "form = \"linear\"\nper_width = 5") +
          entry("area.shifter", "form = \"product\"\ncoefficient = 2") + entry("area.index_encoder", "form = \"product\"\ncoefficient = 1") +
-         entry("area.table", "form = \"product\"\ncoefficient = 0.5") + entry("area.register", "form = \"constant\"\nvalue = 4");
+         entry("area.table", "form = \"product\"\ncoefficient = 0.5") + entry("area.second_port", "form = \"product\"\ncoefficient = 0.2") +
+         entry("area.register", "form = \"constant\"\nvalue = 4");
 }
 
 inline PriceTable round_table() {

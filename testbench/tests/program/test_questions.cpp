@@ -91,3 +91,15 @@ TEST_CASE("help and version are no errors") {
     CHECK(outcome.err.empty());
   }
 }
+
+TEST_CASE("a scene of the working folder that hides a shipped one is used, and said to be") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "scenes");
+  folder.write("scenes/world_sphere.toml", small_scene());
+  const Outcome hidden = bumpsim("check world_sphere --json", folder.path());
+  CHECK(hidden.code == 0);
+  CHECK(Json::parse(hidden.out)["objects"].size() == 2);
+  CHECK(hidden.err.find("scene 'world_sphere' is scenes/world_sphere.toml, not ") != std::string::npos);
+  CHECK(bumpsim("check scenes/world_sphere.toml", folder.path()).err.empty());
+  CHECK(bumpsim("check wood_plane", folder.path()).err.empty());
+}

@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+"""Other people's tools against the program's Verilog: see scripts/check_rtl.sh, which starts this."""
+
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import sys
+import threading
+import time
+
+import area
+import bit_exact
+import clock
+import counts
+import fpga
+import place
+import tools
+from emission import SETTINGS, Program, ProgramFailed
+from results import FAILED, OK, SKIPPED, Check, Results
+
+CHECKS = {  # name: the tools it needs
+    "counts": ("yosys",),
+    "bit_exact": ("verilator", "make", "g++"),
+    "dsp": ("yosys",),
+    "area": ("yosys", "osu018"),
+    "clock": ("yosys", "osu018", "sta"),
+    "place_route": ("yosys", "nextpnr-ice40"),
+    "cycles": ("verilator",),
+}
+
+
+class Plan:
+    """The tasks of a run: what is checked, with which tool, in an order that starts long ones early."""
+
+    def __init__(self, program, results, arguments):
+        self.program, self.results, self.arguments = program, results, arguments
+        self.synthesis = area.Synthesis(program.work)
+        self.tasks = []
+
+    def log(self, check, scheme, unit=""):
+        return self.program.work / "logs" / check / f"{scheme}-{unit or 'all'}.log"
+
+    def add(self, weight, check, scheme, unit, work):
+        self.tasks.append((weight, check, scheme, unit, work))
+
+    def does(self, sample, scheme):
+        """Schemes that are asked for by name are no sample."""
+        return self.arguments.full or self.arguments.schemes != "all" or scheme in SETTINGS["sample"][sample]
+
+    def add_scheme(self, scheme, checks):
+        folder, manifest = self.program.emit(scheme, "default", {})
+        for unit in manifest["units"]:
+            self.add_unit(scheme, unit, folder, checks)
+        if "dsp" in checks:
+            self.add_dsp(scheme)
+        if "place_route" in checks and self.does("place_route", scheme):
+            self.add(3, "place_route", scheme, "all", lambda: self.place(scheme))
+        if "area" in checks or "clock" in checks:
+            for width in self.arguments.widths:
+                self.add(width, "area", scheme, "all", lambda width=width: self.area(scheme, width, checks))
+
+    def add_unit(self, scheme, unit, folder, checks):
+        name, vectors = unit["unit"], self.arguments.vectors
+        if "counts" in checks:
+            self.add(0, "counts", scheme, name, lambda: counts.check_unit(scheme, unit, folder, self.log("counts", scheme, name)))
+        if "bit_exact" in checks:
+            self.add(2, "bit_exact", scheme, name,
+                     lambda: bit_exact.check_unit(self.program, scheme, unit, vectors, self.log("bit_exact", scheme, name)))
+            # A stage without limit of its own (the address of light maps) is named after its stage.
+            limit = {"light_map_address": "light_map_fetch"}.get(name, name) + ".multipliers"
+            if self.does("shared", scheme) and not self.arguments.quick and unit["built"]["multipliers"] > 2:
+                self.add(1, "bit_exact", scheme, name, lambda: bit_exact.check_unit(
+                    self.program, scheme, unit, max(2, vectors // 10), self.log("bit_exact_shared", scheme, name), "shared", {limit: 2},
+                    " with 2 multipliers"))
+
+    def add_dsp(self, scheme):
+        settings, _ = self.program.width_settings(scheme, 10)
+        folder, manifest = self.program.emit(scheme, "w10-dsp", settings)
+        prices = self.program.price(scheme, settings)
+        for unit in manifest["units"]:
+            name, items = unit["unit"], prices[unit["unit"]]["area"]["items"]
+            self.add(1, "dsp", scheme, name, lambda unit=unit, name=name, items=items: fpga.check_dsp(
+                scheme, unit, folder, self.log("dsp", scheme, name), items))
+
+    def place(self, scheme):
+        settings, notes = self.program.width_settings(scheme, 8)
+        folder, manifest = self.program.emit(scheme, "w8-place", settings)
+        return place.check_scheme(scheme, manifest["units"], folder, self.log("place_route", scheme), notes)
+
+    def area(self, scheme, width, checks):
+        settings, notes = self.program.width_settings(scheme, width)
+        folder, manifest = self.program.emit(scheme, f"w{width}", settings)
+        units = manifest["units"]
+        made = [area.unit_area(self.synthesis, folder, unit) for unit in units]
+        found = []
+        if "area" in checks:
+            prices = self.program.price(scheme, settings)
+            found.append(area.compare(scheme, width, made, [area.priced(prices[unit["unit"]]) for unit in units], notes))
+            wrappers = [self.synthesis.wrapper(folder, unit["top"]) for unit in units]
+            handshake = sum(w["registers"] + w["operators"] for w in wrappers)
+            found.append(Check(OK, "area_handshake", scheme, "all", f"{width} bits: {handshake:.0f} NAND2 beside the datapaths, most of "
+                                                                    f"it queues",
+                               {"width": width, "area": handshake}))
+        if "clock" in checks:
+            for unit, figures in zip(units, made):
+                if tools.missing(*CHECKS["clock"]):
+                    found.append(Check(SKIPPED, "clock", scheme, unit["unit"], f"no {tools.missing(*CHECKS['clock'])}"))
+                else:
+                    found += clock.check_unit(scheme, unit, width, figures, self.log(f"clock-{width}", scheme, unit["unit"]))
+        return found
+
+    def run(self):
+        """Two tasks at a time on two cores; a task that fails is a line, not the end."""
+
+        def work(check, scheme, unit, task):
+            needed = tools.missing(*CHECKS.get(check, ()))
+            if needed:
+                self.results.add([Check(SKIPPED, check, scheme, unit, f"no {needed}")])
+                return
+            try:
+                self.results.add(task())
+            except (tools.ToolFailed, ProgramFailed, OSError, KeyError, ValueError, IndexError) as error:
+                self.results.add([Check(FAILED, check, scheme, unit, f"{type(error).__name__}: {error}")])
+
+        with concurrent.futures.ThreadPoolExecutor(self.arguments.jobs) as pool:
+            futures = [pool.submit(work, *task) for _, *task in sorted(self.tasks, key=lambda task: -task[0])]
+            try:
+                for future in futures:
+                    future.result()
+            except BaseException:
+                for future in futures:
+                    future.cancel()
+                tools.stop_all()
+                raise
+
+
+def cycles(plan, schemes):
+    """The emitted units inside the SystemC pipeline, by a script of its own; one at a time, since each builds what it needs first."""
+    script = pathlib.Path(__file__).resolve().parent.parent / "cosimulate.sh"
+    chosen, alone = SETTINGS["cycles"], threading.Lock()
+
+    def work(scheme):
+        with alone:
+            text = tools.run([str(script), scheme, chosen["scene"], "--size", str(chosen["size"])], plan.log("cycles", scheme),
+                             environment={"BUILD": str(pathlib.Path(plan.program.path).parent)})
+        said = re.search(r"cycles: (\d+) with models, (\d+) with Verilog", text)
+        summary = re.search(r"(\d+) passed, (\d+) failed", text)
+        good = said and summary and said[1] == said[2] and summary[2] == "0"
+        detail = "the script compared nothing"
+        if said and summary:
+            detail = f"{chosen['scene']}, {chosen['size']} x {chosen['size']}: {said[0]}; {summary[0]}"
+        return [Check(OK if good else FAILED, "cycles", scheme, "all", detail, {"detail": detail})]
+
+    for scheme in schemes:
+        if plan.does("cycles", scheme):
+            plan.add(20, "cycles", scheme, "all", lambda scheme=scheme: work(scheme))
+
+
+def parse(argv):
+    names = ",".join(CHECKS)
+    parser = argparse.ArgumentParser(prog="check_rtl.sh", description="Checks the emitted Verilog of every scheme with other people's "
+                                                                      "tools.")
+    parser.add_argument("--program", default="build/bumpsim", help="bumpsim (default: build/bumpsim, which the script builds)")
+    parser.add_argument("--work", default="build/rtl", help="folder for everything that is written (default: build/rtl)")
+    parser.add_argument("--schemes", default="all", help="ids with commas between (default: all)")
+    parser.add_argument("--checks", default=names, help=f"some of {names} (default: all)")
+    parser.add_argument("--full", action="store_true", help="no samples: all widths, every scheme placed and routed and in the "
+                                                            "pipeline; half an hour and more")
+    parser.add_argument("--widths", help="word widths of the areas and clocks (default: 8,12; 8,10,12,16 with --full)")
+    parser.add_argument("--vectors", type=int, help="of each unit (default: 1000000; 100000 with --quick)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="tasks side by side (default: one per core)")
+    parser.add_argument("--quick", action="store_true", help="two schemes, counts and bit-exactness only")
+    parser.add_argument("--no-install", action="store_true", help="neither installs packages nor builds; needs --program or build/bumpsim")
+    arguments = parser.parse_args(argv)
+    try:
+        sampled = SETTINGS["full" if arguments.full else "sample"]["widths"]
+        arguments.widths = [int(width) for width in arguments.widths.split(",")] if arguments.widths else sampled
+    except ValueError:
+        parser.error(f"--widths {arguments.widths}: whole numbers with commas between")
+    arguments.checks = arguments.checks.split(",")
+    unknown = [check for check in arguments.checks if check not in CHECKS]
+    if unknown:
+        parser.error(f"there is no check {unknown[0]}; choose from {names}")
+    if arguments.quick:
+        arguments.schemes = ",".join(SETTINGS["quick"]["schemes"]) if arguments.schemes == "all" else arguments.schemes
+        arguments.checks = [check for check in arguments.checks if check in ("counts", "bit_exact")]
+    arguments.vectors = arguments.vectors or (100_000 if arguments.quick else 1_000_000)
+    if min(arguments.vectors, arguments.jobs, *arguments.widths) < 1:
+        parser.error("numbers must be at least 1")
+    return arguments
+
+
+def main(argv):
+    arguments = parse(argv)
+    begin = time.monotonic()
+    program = Program(pathlib.Path(arguments.program).resolve(), pathlib.Path(arguments.work).resolve())
+    results = Results()
+    try:
+        every = program.schemes()
+        schemes = every if arguments.schemes == "all" else arguments.schemes.split(",")
+        unknown = [scheme for scheme in schemes if scheme not in every]
+        if unknown:
+            print(f"check_rtl.sh: there is no scheme {unknown[0]}; bumpsim list schemes names them", file=sys.stderr)
+            return 2
+        plan = Plan(program, results, arguments)
+        for scheme in schemes:
+            try:
+                plan.add_scheme(scheme, arguments.checks)
+            except ProgramFailed as error:
+                results.add([Check(FAILED, "emission", scheme, "all", str(error))])
+        if "cycles" in arguments.checks:
+            cycles(plan, schemes)
+        plan.run()
+    except (ProgramFailed, OSError) as error:
+        print(f"check_rtl.sh: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("check_rtl.sh: interrupted", file=sys.stderr)
+        return 130
+    if not arguments.quick:
+        results.write(program.work / "results.json", {
+            "schemes": schemes, "full": arguments.full, "widths": arguments.widths, "vectors": arguments.vectors, "sample": SETTINGS["sample"],
+            "tools": tools.versions(), "bands": SETTINGS["bands"], "exceptions": SETTINGS["exceptions"], "jobs": arguments.jobs,
+            "seconds": round(time.monotonic() - begin)})
+    print(results.summary())
+    return 1 if results.count(FAILED) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

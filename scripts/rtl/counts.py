@@ -1,0 +1,89 @@
+"""Yosys finds the operators, tables and registers that the program counts, before it maps them to a technology."""
+
+import netlists
+import tools
+from results import FAILED, OK, Check
+
+# Before `opt` nothing is merged or folded; operators of constants alone are no cells, and the manifest names them. What `opt` removes is
+# redundant in the description, which is reported, not wrong.
+SCRIPT = """read_verilog rtl/*.v
+hierarchy -check -top {top}
+proc -noopt
+opt_clean
+memory -nomap
+write_json {before}
+opt
+opt_clean
+write_json {after}
+"""
+
+SHORT = {"multipliers": "mul", "adders": "add", "dividers": "div", "square_roots": "sqrt", "tables": "table"}
+KIND = {"$mul": "multiplier", "$add": "adder", "$sub": "adder", "addsub": "adder", "div": "divider", "sqrt": "square root",
+        "table": "table"}
+
+
+def kind_of(cell_type):
+    return KIND.get(cell_type) or KIND[cell_type.split("_")[0]]
+
+
+def removed(before, after, patterns, folder):
+    """Operators that `opt` merged with an equal one or turned into something simpler, as "kind name"."""
+    gone = [name for name in netlists.cells_of(before, *patterns) if name not in after["cells"]]
+    changed = [name for name in netlists.cells_of(before, *patterns)
+               if name in after["cells"] and after["cells"][name]["type"] != before["cells"][name]["type"]]
+    return sorted(f"{kind_of(before['cells'][name]['type'])} "
+                  f"{netlists.name_in_source(before['cells'][name], folder)}" for name in gone + changed)
+
+
+def check_unit(scheme, unit, folder, log):
+    """Three lines: operators and tables, registers between operators, and the wrapper's registers."""
+    log.parent.mkdir(parents=True, exist_ok=True)
+    before_path, after_path = log.with_suffix(".before.json"), log.with_suffix(".after.json")
+    tools.yosys(SCRIPT.format(top=unit["top"], before=before_path, after=after_path), log, folder)
+    before, after = netlists.load(before_path), netlists.load(after_path)
+    before_path.unlink()
+    after_path.unlink()
+    name = unit["cells"]["module"]
+    datapath, optimised, wrapper = before[name], after[name], before[unit["top"]]
+    checks = [operators(scheme, unit, datapath, optimised, folder), between(scheme, unit, datapath, optimised)]
+    return checks + [wrapper_registers(scheme, unit, wrapper)]
+
+
+def operators(scheme, unit, datapath, optimised, folder):
+    found, differences, patterns = {}, [], []
+    for kind, expected in unit["cells"].items():
+        if kind == "module":
+            continue
+        found[kind] = netlists.count(datapath, *expected["types"])
+        patterns += expected["types"]
+        if found[kind] != expected["count"]:
+            differences.append(f"{found[kind]} {kind} instead of {expected['count']}")
+    redundant = removed(datapath, optimised, patterns, folder)
+    text = ", ".join(f"{found[kind]} {SHORT[kind]}" for kind in found)
+    if unit.get("folded"):
+        text += f"; of constants alone, so no hardware: {', '.join(unit['folded'])}"
+    if redundant:
+        text += f"; redundant after opt: {', '.join(redundant)}"
+    if differences:
+        text = "; ".join(differences)
+    data = {"found": found, "redundant": redundant, "folded": unit.get("folded", [])}
+    return Check(FAILED if differences else OK, "operators", scheme, unit["unit"], text, data)
+
+
+def between(scheme, unit, datapath, optimised):
+    expected = unit["register_bits"]["between_operators"]
+    found, kept = netlists.register_bits(datapath), netlists.register_bits(optimised)
+    text = f"{found} bits between operators" + (f", {kept} after opt" if kept != found else "")
+    if found != expected:
+        text = f"{found} bits between operators instead of {expected}"
+    return Check(OK if found == expected else FAILED, "registers", scheme, unit["unit"], text, {"bits": found, "after_opt": kept})
+
+
+def wrapper_registers(scheme, unit, wrapper):
+    bits = unit["register_bits"]
+    expected = (bits["control"] + bits["entry"] + bits["result"], bits["completion_queue"])
+    found = (netlists.register_bits(wrapper), netlists.memory_bits(wrapper))
+    text = f"{found[0]} bits of control and words, {found[1]} in the completion queue"
+    if found != expected:
+        text += f" instead of {expected[0]} and {expected[1]}"
+    return Check(OK if found == expected else FAILED, "handshake", scheme, unit["unit"], text, {"bits": found[0], "queue": found[1]})

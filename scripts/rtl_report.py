@@ -1,0 +1,298 @@
+#!/usr/bin/env python3
+"""Writes reports/rtl.md from the figures of scripts/check_rtl.sh and scripts/rtl_equal_quality.sh: rtl_report.py [WORK [REPORT]]."""
+
+import json
+import pathlib
+import sys
+
+PARTS = ("operators", "registers", "tables", "total")
+FAMILIES = (("ice40", "iCE40 UP MAC16"), ("ecp5", "ECP5 MULT18X18D"), ("xilinx", "Xilinx DSP48E1"))
+
+
+def table(head, rows, right=1):
+    """A Markdown table; columns from `right` on are aligned to the right."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "|".join("--" if i < right else "--:" for i in range(len(head))) + "|"]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]) + "\n"
+
+
+def signed(value):
+    """Per cent with a sign, without one if it rounds to 0."""
+    return "0" if round(100 * value) == 0 else f"{100 * value:+.0f}"
+
+
+def percent(value):
+    return f"{signed(value)} %"
+
+
+def span(values):
+    if not values:
+        return "none"
+    return f"{percent(min(values))} to {percent(max(values))}"
+
+
+class Report:
+    def __init__(self, results):
+        self.results = results
+        self.checks = {}
+        for check in results["checks"]:
+            self.checks.setdefault(check["check"], []).append(check)
+        self.text = []
+
+    def add(self, text):
+        self.text.append(text.rstrip("\n") + "\n")
+
+    def of(self, name):
+        return self.checks.get(name, [])
+
+    def head(self):
+        tools = ", ".join(f"{name} ({version})" if name not in version.lower() else version for name, version in self.results["tools"].items())
+        self.add("# The Verilog, checked by other people's tools\n\nWritten by `scripts/rtl_report.py` from what `scripts/check_rtl.sh` "
+                 "and `scripts/rtl_equal_quality.sh` measured. `bumpsim rtl` emits each scheme's per-pixel units; every count, latency and "
+                 "area below is what another program says of that Verilog, beside what bumpsim says.\n")
+        self.add(f"Tools: {tools}. {len(self.results['schemes'])} schemes.")
+        rows = []
+        for name in sorted(self.checks):
+            states = [check["status"] for check in self.checks[name]]
+            rows.append((f"`{name}`", MEANING.get(name, ""), states.count("ok"), states.count("FAILED"), states.count("skipped")))
+        self.add(table(("check", "what must hold", "passed", "failed", "skipped"), rows, 2))
+        failed = [check for check in self.results["checks"] if check["status"] == "FAILED"]
+        if failed:
+            self.add("Failed:\n\n" + "\n".join(f"* `{c['check']}` {c['scheme']} {c['unit']}: {c['detail']}" for c in failed))
+
+    def bit_exact(self):
+        checks = [check for check in self.of("bit_exact") if check["data"]]
+        if not checks:
+            return
+        total, wrong = sum(c["data"]["vectors"] for c in checks), sum(c["data"]["mismatches"] for c in checks)
+        self.add(f"## Bit-exact, with stalls\n\nVerilator's models against the fixed-point evaluation: {total:,} vectors, {wrong} "
+                 "mismatches. A quarter of the vectors are corner words (0, 1, -1, extremes, single bits), the others uniformly random "
+                 "over the whole word. Every vector is sent twice: without a pause, where the first latency and the interval are read "
+                 "off, and with random pauses on both sides; in every cycle `in_ready`, `out_valid` and the words must be what the "
+                 "recurrences of the stage say.")
+        rows = {}
+        for check in checks:
+            shared = bool(check["data"]["settings"])
+            row = rows.setdefault((check["scheme"], check["unit"]), {})
+            row["shared" if shared else "plain"] = check["data"]
+        body = []
+        for (scheme, unit), row in sorted(rows.items()):
+            plain, shared = row.get("plain"), row.get("shared")
+            body.append((scheme, unit, plain["vectors"] if plain else "", plain["latency"] if plain else "", plain["interval"] if plain else "",
+                         f"{shared['latency']}, {shared['interval']}" if shared else ""))
+        self.add(table(("scheme", "unit", "vectors", "latency", "interval", "latency, interval with 2 multipliers"), body, 2))
+
+    def counts(self):
+        if not self.of("operators"):
+            return
+        registers = {(c["scheme"], c["unit"]): c["data"] for c in self.of("registers") if c["data"]}
+        rows, notes = [], []
+        for check in self.of("operators"):
+            found = check["data"].get("found")
+            if not found:
+                continue
+            bits = registers.get((check["scheme"], check["unit"]), {})
+            rows.append((check["scheme"], check["unit"], *(found[kind] for kind in ("multipliers", "adders", "dividers", "square_roots", "tables")), bits.get("bits", "")))
+            if check["data"]["redundant"]:
+                notes.append(f"* {check['scheme']}, {check['unit']}: {', '.join(check['data']['redundant'])}")
+            if check["data"]["folded"]:
+                notes.append(f"* {check['scheme']}, {check['unit']}: {', '.join(check['data']['folded'])} has only constants as operands; "
+                             "it is counted as the paper counts it, and no hardware is emitted for it")
+        for check in self.of("registers"):
+            if check["data"] and check["data"]["after_opt"] != check["data"]["bits"]:
+                notes.append(f"* {check['scheme']}, {check['unit']}: {check['data']['after_opt']} of {check['data']['bits']} register bits "
+                             "are left, the others hold constants or the same as another")
+        self.add("## Counts\n\nCells that Yosys finds before it maps anything (`read_verilog; hierarchy; proc; memory -nomap`), dividers, "
+                 "roots and ROMs being modules of their own. They are what the inventory says, unit by unit; a row that differs would be "
+                 "among the failures above. Registers are those between operators.")
+        self.add(table(("scheme", "unit", "multipliers", "adders", "dividers", "square roots", "tables", "register bits"), rows, 2))
+        if notes:
+            self.add("What Yosys's `opt` takes away, being redundant for the constants or the structure of the unit:\n\n" + "\n".join(notes))
+
+    def dsp(self):
+        rows = {}
+        for family, _ in FAMILIES:
+            for check in self.of(f"dsp_{family}"):
+                if check["data"]:
+                    rows.setdefault((check["scheme"], check["unit"]), {})[family] = check
+        body = []
+        for (scheme, unit), found in sorted(rows.items()):
+            data = {family: check["data"] for family, check in found.items()}
+            if len(data) < len(FAMILIES) or (not any(d["multipliers"] for d in data.values())):
+                continue
+            any_family = next(iter(data.values()))
+            body.append((scheme, unit, any_family["multipliers"], *(data[family]["found"] for family, _ in FAMILIES)))
+        if not body:
+            return
+        different = sorted({f"* {check['scheme']}, {check['unit']}, {family}: {check['detail']}" for found in rows.values() for family, check in found.items()
+                            if check["data"]["found"] != check["data"]["multipliers"]})
+        self.add("## DSP blocks\n\nWords of 10 bits. Blocks that Yosys's mappings for three FPGA families take, a second count of the "
+                 "multipliers. A factor wider than the block (16, 18 or 25 x 18 bits) takes several, a product of too few bits none; the "
+                 "expected number follows from the widths and is what is checked.")
+        self.add(table(("scheme", "unit", "multipliers", *(title for _, title in FAMILIES)), body, 2))
+        if different:
+            self.add("Where blocks are not multipliers:\n\n" + "\n".join(different))
+
+    def area(self):
+        checks = [check for check in self.of("area") if check["data"]]
+        if not checks:
+            return
+        widths = sorted({check["data"]["width"] for check in checks})
+        by = {(check["scheme"], check["data"]["width"]): check["data"] for check in checks}
+        schemes = sorted({scheme for scheme, _ in by})
+        self.add("## Area\n\nOpen 0.18 um cells (OSU, typical, 1.8 V; NAND2X1 = 24 um2): Yosys flattens the datapath and maps it with ABC, "
+                 "ROMs as black boxes; each ROM is synthesised into gates on its own. The table of prices `osu018_model` is held against "
+                 "it without having been fitted to these designs. The queue and handshake around a datapath are apart. Words have the "
+                 "stated width wherever a scheme has a parameter for one, tables of a quarter turn 2^(w-2) words and at most 2^10 "
+                 "(scripts/rtl/settings.toml).")
+        exceptions = self.results["exceptions"]
+        usual = [s for s in schemes if s not in exceptions]
+        lines = []
+        for part, title in (("total", "all"), ("logic", "operators and registers together"), ("operators", "operators"), ("registers", "registers"), ("tables", "tables")):
+            spans = [f"{span([by[s, w]['errors'][part] for s in usual if (s, w) in by and part in by[s, w]['errors']])} at {w} bits" for w in widths]
+            low, high = self.results["bands"][part]
+            lines.append(f"* {title}: {', '.join(spans)}; the check allows {percent(low)} to {percent(high)}.")
+        logic = sorted(by[s, w]["errors"]["logic"] for s in usual for w in widths if (s, w) in by)
+        for scheme, exception in exceptions.items():
+            spans = [f"{percent(by[scheme, w]['errors']['operators'])} at {w} bits" for w in widths if (scheme, w) in by]
+            if spans:
+                lines.append(f"* {scheme} is apart, operators {', '.join(spans)}: {exception['reason']}.")
+        self.add("Error of the table of prices against synthesis:\n\n" + "\n".join(lines))
+        if logic:
+            self.add("The table says of itself that operators and registers of the four designs of a prototype came out 4 to 13 % above "
+                     f"synthesis, and tables within a fifth. Of {len(logic)} designs here {sum(0.04 <= error <= 0.13 for error in logic)} "
+                     f"lie within 4 to 13 %, the median is {percent(logic[len(logic) // 2])}; what is above is mostly narrow words, where "
+                     "the low bits of products that synthesis prunes are a larger part, and the registers of array dividers, whose "
+                     "leading bits are constant.")
+        rows = []
+        for scheme in schemes:
+            row = [scheme]
+            for width in widths:
+                data = by.get((scheme, width))
+                row += [f"{data['synthesised']['total']:.0f}", " ".join(signed(data["errors"][p]) if p in data["errors"] else "-" for p in PARTS)] if data else ["", ""]
+            rows.append(row)
+        self.add("NAND2 by synthesis, and the error of the price table in operators, registers, tables and all, in per cent:\n")
+        self.add(table(("scheme", *(text for w in widths for text in (f"{w} bits", "error, %"))), rows))
+        notes = sorted({f"* {s} at {w} bits: {note}" for (s, w), data in by.items() for note in data["notes"]})
+        if notes:
+            self.add("Out of a scheme's range:\n\n" + "\n".join(notes))
+        queues = {(c["scheme"], c["data"]["width"]): c["data"]["area"] for c in self.of("area_handshake") if c["data"]}
+        if queues:
+            rows = [(s, *(f"{queues[s, w]:.0f}" if (s, w) in queues else "" for w in widths)) for s in schemes]
+            self.add("Handshake and completion queue around the datapaths, NAND2 (latency + 1 entries of flip-flops; a memory would be "
+                     "smaller):\n")
+            self.add(table(("scheme", *(f"{w} bits" for w in widths)), rows))
+
+    def clock(self):
+        checks = [check for check in self.of("clock") if check["data"]]
+        if not checks:
+            return
+        widths = sorted({check["data"]["width"] for check in checks})
+        by = {(c["scheme"], c["unit"], c["data"]["width"]): c["data"]["period"] for c in checks}
+        units = sorted({key[:2] for key in by})
+        rows = [(*unit, *(f"{by[(*unit, w)]:.2f}" if by.get((*unit, w)) else "-" for w in widths)) for unit in units]
+        self.add("## Clock\n\nShortest period in ns from register to register by OpenSTA, for the netlists above: no wires, no sizing for "
+                 "fan-out, one operator a cycle and one bit of a quotient. Reads of ROMs are not in the path, as these are black boxes. -: "
+                 "no path between registers but through a ROM.")
+        self.add(table(("scheme", "unit", *(f"{w} bits" for w in widths)), rows, 2))
+
+    def place(self):
+        checks = [check for check in self.of("place_route") if check["data"]]
+        if not checks:
+            return
+        rows = []
+        for check in checks:
+            data = check["data"]
+            clock = f"{data['mhz']:.1f}" if data["mhz"] else "does not fit"
+            rows.append((check["scheme"], data["cells"], f"{data['percent']} %", data["shift_registers"], clock))
+        self.add("## Place and route\n\nnextpnr on a Lattice iCE40 HX8K, words of 8 bits, no DSP blocks, all units with their queues and "
+                 "with ROMs as logic, ports on shift registers because the chip has fewer pins; these are in the cells.")
+        self.add(table(("scheme", "logic cells", "of the chip", "shift registers", "MHz"), rows))
+
+    def cycles(self):
+        if self.of("cycles"):
+            self.add("## Cycles\n\n`scripts/cosimulate.sh` puts the units, through Verilator's SystemC models, in place of the program's "
+                     "own in the stepped engine; picture and cycles are the same for " + ", ".join(c["scheme"] for c in self.of("cycles") if c["status"] == "ok") + ".")
+
+
+MEANING = {
+    "bit_exact": "Verilator's words are the evaluation's; latency and interval are the schedule's",
+    "operators": "Yosys finds the inventory's operators and tables",
+    "registers": "Yosys finds the register bits between operators",
+    "handshake": "Yosys finds the wrapper's register and queue bits",
+    "dsp_ice40": "blocks as the widths ask for", "dsp_ecp5": "blocks as the widths ask for", "dsp_xilinx": "blocks as the widths ask for",
+    "area": "the table of prices stays in its bands", "area_handshake": "synthesised, no claim", "clock": "a path is found and no tool "
+                                                                                                          "complains",
+    "place_route": "placed and routed, or too large", "cycles": "the same picture and cycles with the Verilog in place of the models"}
+
+
+def structure_of(design):
+    """As published where nothing is said; the options that make it another design otherwise."""
+    return " ".join(f"{key.split('.')[-1]}={value}" for key, value in sorted(design["structure"].items()))
+
+
+def equal_quality(document):
+    """The section on designs of equal quality, with the answer to what 78 % fewer multiplications are worth."""
+    designs = document["designs"]
+    for design in designs:
+        design["gates"] = sum(design["synthesised"].values())
+        design["model"] = sum(design["priced"].values())
+    out = ["## Equal quality in gates\n\nDesigns that `bumpsim fit` found for a PSNR on the worst of plane, cube and sphere, synthesised "
+           f"as above. Energy: Icarus Verilog runs the mapped netlists, tables as gates, with the cells' delays over {document['cycles']} "
+           "random vectors (whose results are compared, too), and OpenSTA takes the changes of every net. Clock tree, wires, queues, "
+           "interpolators and texture are in no figure; random words change more often than those of neighbouring pixels, so energies are "
+           "to be compared with one another only. (R) in part a reconstruction.\n"]
+    with_energy = any("energy_pj" in design for design in designs)
+    for target in sorted({target for design in designs for target in design["targets"]}):
+        rows = []
+        chosen = [d for d in designs if target in d["targets"]]
+        for d in sorted(chosen, key=lambda d: d["gates"]):
+            row = [f"{d['scheme']}{' (R)' if d['reconstruction'] else ''} {structure_of(d)}".strip(), f"{d['psnr_worst_db']:.1f}", d["multipliers"], d["dividers"],
+                   *(f"{d['synthesised'][part]:.0f}" for part in ("operators", "registers", "tables")), f"{d['gates']:.0f}", percent(d["model"] / d["gates"] - 1)]
+            rows.append(row + ([f"{d['energy_pj']:.0f}", f"{100 * d['energy_clocked_pj'] / d['energy_pj']:.0f} %", f"{d['fit_energy_pj']:.1f}"] if with_energy else []))
+        head = ["design", "PSNR, dB", "multipliers", "dividers", "operators", "registers", "tables", "NAND2", "price table"]
+        out.append(f"### At {target} dB\n\n" + table(head + (["pJ a fragment", "of which flip-flops", "pJ by horowitz45"] if with_energy else []), rows))
+        out += comparison(chosen, with_energy)
+    if document["left_out"]:
+        out.append(f"Not synthesised, being above {document['largest'] / 1000:.0f} k NAND2 by the price table: "
+                   f"{', '.join(document['left_out'])}.\n")
+    return "\n".join(out)
+
+
+def comparison(chosen, with_energy):
+    """What the scheme with the fewest gates and Lee 2007 save against each form of the conventional method."""
+    baselines = [d for d in chosen if d["scheme"] == "peercy1997" and d["baseline"]]
+    lines = []
+    for d in chosen:
+        if d["scheme"] not in ("lee2007", "lns", "n2l") or not d["baseline"]:
+            continue
+        parts = []
+        for b in sorted(baselines, key=lambda b: -b["gates"]):
+            part = f"{percent(d['multipliers'] / b['multipliers'] - 1)} multipliers and {percent(d['gates'] / b['gates'] - 1)} gates"
+            if with_energy:
+                part += f" and {percent(d['energy_pj'] / b['energy_pj'] - 1)} energy"
+            parts.append(f"{part} against {structure_of(b)}")
+        if parts:
+            lines.append(f"* {d['scheme']}: {'; '.join(parts)}.")
+    return ["\n".join(lines) + "\n"] if lines else []
+
+
+def main(argv):
+    root = pathlib.Path(__file__).resolve().parent.parent
+    work = pathlib.Path(argv[0]) if argv else root / "build/rtl"
+    target = pathlib.Path(argv[1]) if len(argv) > 1 else root / "reports/rtl.md"
+    path = work / "results.json"
+    if not path.exists():
+        print(f"rtl_report.py: {path} is not there; scripts/check_rtl.sh writes it", file=sys.stderr)
+        return 2
+    report = Report(json.loads(path.read_text()))
+    for part in (report.head, report.bit_exact, report.counts, report.dsp, report.area, report.clock, report.place, report.cycles):
+        part()
+    if (work / "equal_quality.json").exists():
+        report.add(equal_quality(json.loads((work / "equal_quality.json").read_text())))
+    target.write_text("\n".join(report.text))
+    print(f"{target} is up to date")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
