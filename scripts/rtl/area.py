@@ -32,7 +32,8 @@ abc -liberty {liberty}
 opt_clean
 tee -q -o {stat} stat -liberty {liberty}
 """
-DATAPATH = "read_verilog rtl/*.v\nblackbox rom_*\n" + SYNTHESIS + "splitnets -ports\nopt_clean -purge\nwrite_verilog -noattr -noexpr {netlist}\n"
+NETLIST = "splitnets -ports\nopt_clean -purge\nwrite_verilog -noattr -noexpr {netlist}\n"
+DATAPATH = "read_verilog rtl/*.v\nblackbox rom_*\n" + SYNTHESIS + NETLIST
 WRAPPER = "read_verilog rtl/*.v\nblackbox *_datapath\n" + SYNTHESIS
 # A ROM is logic of its address: every word and every don't-care is known, so nothing else is left to do than what ABC does.
 ROM = """read_verilog {verilog}
@@ -208,7 +209,7 @@ def compare(scheme, width, synthesised, price, notes):
         high = exception.get(part, high)
         if not low <= errors[part] <= high:
             outside.append(f"{part} outside {low:+.0%} to {high:+.0%}")
-    text = f"{width} bits: {sums['synthesised']['total']:.0f} NAND2, price table "
-           f"" + ", ".join(f"{part} {error:+.1%}" for part, error in errors.items() if part != "logic")
+    shown = ", ".join(f"{part} {error:+.1%}" for part, error in errors.items() if part != "logic")
+    text = f"{width} bits: {sums['synthesised']['total']:.0f} NAND2, price table {shown}"
     text += "".join(f"; {reason}" for reason in outside) + "".join(f"; {note}" for note in notes)
     return Check(FAILED if outside else OK, "area", scheme, "all", text, {"width": width, **sums, "errors": errors, "notes": notes})

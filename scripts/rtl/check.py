@@ -6,6 +6,7 @@ import concurrent.futures
 import os
 import pathlib
 import re
+import signal
 import sys
 import threading
 import time
@@ -194,6 +195,7 @@ def parse(argv):
 
 def main(argv):
     arguments = parse(argv)
+    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))  # what runs is ended in the same way
     begin = time.monotonic()
     program = Program(pathlib.Path(arguments.program).resolve(), pathlib.Path(arguments.work).resolve())
     results = Results()
@@ -221,8 +223,9 @@ def main(argv):
         return 130
     if not arguments.quick:
         results.write(program.work / "results.json", {
-            "schemes": schemes, "full": arguments.full, "widths": arguments.widths, "vectors": arguments.vectors, "sample": SETTINGS["sample"],
-            "tools": tools.versions(), "bands": SETTINGS["bands"], "exceptions": SETTINGS["exceptions"], "jobs": arguments.jobs,
+            "schemes": schemes, "checks_run": arguments.checks, "full": arguments.full, "widths": arguments.widths,
+            "vectors": arguments.vectors, "tools": tools.versions(), "bands": SETTINGS["bands"],
+            "exceptions": SETTINGS["exceptions"], "jobs": arguments.jobs,
             "seconds": round(time.monotonic() - begin)})
     print(results.summary())
     return 1 if results.count(FAILED) else 0

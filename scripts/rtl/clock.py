@@ -16,7 +16,7 @@ report_checks -path_delay max -from [all_registers -clock_pins] -to [all_registe
 
 
 def shortest_period(folder, top, log):
-    """ns; None if no path leads from a register to a register (what is in between is in ROMs)."""
+    """ns; None if no path leads from a register to a register: there is one stage only, or ROMs are in between."""
     text = tools.sta(TIMING.format(liberty=tools.LIBERTY, netlist=f"{folder}/netlist.v", top=top, period=PERIOD), log, folder)
     if not re.search(r"^registers \d+$", text, re.M):
         raise tools.ToolFailed(f"sta found no design (log: {log})")
@@ -35,7 +35,7 @@ def check_unit(scheme, unit, width, area, log):
         return [Check(OK, "clock", scheme, name, f"{width} bits: no register, no clock", {"width": width, "period": None})]
     period = shortest_period(area["folder"], top, log)
     if period is None:
-        text = f"{width} bits: every path between registers leads through a ROM, which is a black box"
+        text = f"{width} bits: no path from register to register but through ROMs, which are black boxes"
     else:
         text = f"{width} bits: {period:.2f} ns, {1000 / period:.0f} MHz"
     good = period is None or 0 < period < PERIOD

@@ -66,8 +66,9 @@ def designs(folders, targets, largest):
                 continue
             design = found.setdefault((row["scheme"], tuple(sorted(settings.items()))), {
                 "scheme": row["scheme"], "settings": settings, "structure": structure, "targets": [], "baseline": path.parent == folders[0],
-                "psnr_worst_db": row["psnr_worst_db"], "multipliers": row["multipliers"], "adders": row["adders"], "dividers": row["dividers"],
-                "table_kilobytes": row["table_kilobytes"], "reconstruction": row["reconstruction"], "fit_area_nand2": row["area_nand2"],
+                "psnr_worst_db": row["psnr_worst_db"], "multipliers": row["multipliers"], "adders": row["adders"],
+                "dividers": row["dividers"], "table_kilobytes": row["table_kilobytes"], "reconstruction": row["reconstruction"],
+                "fit_area_nand2": row["area_nand2"],
                 "fit_energy_pj": row["energy_pj_per_fragment"]})
             if target not in design["targets"]:
                 design["targets"].append(target)

@@ -105,12 +105,13 @@ def nand2():
 
 @functools.lru_cache
 def versions():
-    """What the checks were made with, for the report."""
+    """What the checks were made with: names and version numbers of the programs that are there."""
     commands = {"yosys": ["yosys", "-V"], "verilator": ["verilator", "--version"], "iverilog": ["iverilog", "-V"],
                 "sta": ["sta", "-version"], "nextpnr-ice40": ["nextpnr-ice40", "--version"]}
     found = {}
     for tool, command in commands.items():
         if has(tool):
             out = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
-            found[tool] = next((line.strip() for line in (out.stdout + out.stderr).splitlines() if line.strip()), "")
+            number = re.search(r"\d+(\.\d+)+", out.stdout + out.stderr)
+            found[tool] = number[0] if number else "?"
     return found
