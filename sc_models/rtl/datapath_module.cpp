@@ -210,6 +210,7 @@ class DatapathText {
   /// `to` is `from`, `edges` clock edges later.
   std::string delay_text(const std::string& from, const std::string& to, int width, int edges) {
     module_.has_clock = true;
+    module_.inside_bits += std::int64_t{width} * edges;
     std::string declared, clocked, before = from;
     for (int k = 1; k <= edges; ++k) {
       const std::string name = k == edges ? to : fmt::format("{}_{}", from, k);
@@ -390,7 +391,7 @@ class DatapathText {
         fmt::format("{} unit of {}: {} cycles, a new token every {}.", netlist_.name(), scheme_, schedule_.latency,
                     interval_ == 1 ? "cycle" : fmt::format("{} cycles", interval_)),
         "Never stalls. x_c7 is x behind the clock edge in front of cycle 7 of a token, x_next what a register takes at the next edge.",
-        "Formats: s12.10 is a signed word of 12 bits, 10 of them behind the point; an angle is in turns."};
+        "Formats: s12.10 is a signed word of 12 bits, 10 of them behind the point; an angle is in turns, turn12 a full turn in 12 bits."};
     if (interval_ > 1) lines.push_back("Multipliers are shared: `phase` counts the cycles of the interval, and a token begins in phase 0.");
     return lines;
   }

@@ -31,7 +31,8 @@ struct DatapathModule {
   int initiation_interval = 1;
   bool has_clock = false;           ///< any register: then there is a port clk
   std::vector<std::string> folded;  ///< operators of constants only, by node name: counted, but no hardware
-  std::int64_t register_bits = 0;   ///< between operators, as the register plan has them; not inside operators of several cycles
+  std::int64_t register_bits = 0;   ///< between operators, as the register plan has them; not those inside operators
+  std::int64_t inside_bits = 0;     ///< of operators of several cycles that are written out here; not inside the leaves
 };
 
 /// `schedule` must be the netlist's under `latencies`. Module "<scheme>_<unit>_datapath".

@@ -270,7 +270,8 @@ int main(int argc, char* argv[]) {
   std::size_t count = argc > 2 ? number(argv[2]) : 0;
   if (count > vectors.count())
     fail(std::string(argv[1]) + " has only " + std::to_string(vectors.count()) + " vectors; bumpsim rtl --vectors writes more");
-  if (count == 0) count = vectors.count();
+  if (argc <= 2 || *argv[2] == '\0') count = vectors.count();
+  if (count < 2) fail("an interval is measured between two vectors at least");
   Check check(vectors, count, argc > 3 ? number(argv[3]) : 1);
   if (check.round(1)) check.round(2);
   std::printf("%s: %zu vectors, %" PRIu64 " mismatches, latency %" PRId64 ", interval %" PRId64 "\n", UnitPorts::name, count,

@@ -25,6 +25,14 @@ help:
 	@echo "Units: $(UNITS). One alone: make test-UNIT. Variables: VECTORS=1000 SEED=2 CAPACITY=3."
 
 check: lint test verilate counts
+
+# What is given must make sense, and the ROM images must be the ones that were written.
+ready:
+	@case "$(VECTORS)" in "" | [2-9] | [1-9][0-9]*) ;; *) echo "make: VECTORS=$(VECTORS) is no number from 2 upwards" >&2; exit 1;; esac
+	@case "$(CAPACITY)" in "" | [1-9] | [1-9][0-9]*) ;; *) echo "make: CAPACITY=$(CAPACITY) is no number from 1 upwards" >&2; exit 1;; esac
+	@case "$(VECTORS)$(CAPACITY)$(SEED)" in *[!0-9]*) echo "make: VECTORS, CAPACITY and SEED are whole numbers" >&2; exit 1;; esac
+	@[ ! -s test/roms.sha256 ] || ! command -v sha256sum >/dev/null || sha256sum --quiet --check test/roms.sha256
+
 lint: $(UNITS:%=lint-%)
 test: $(UNITS:%=test-%)
 verilate: $(UNITS:%=verilate-%)
@@ -39,14 +47,14 @@ $(UNITS:%=lint-%): lint-%:
 	verilator --lint-only -Wall -y rtl --top-module $(SCHEME)_$* rtl/$(SCHEME)_$*.v
 	@echo "$*: lint found nothing"
 
-$(UNITS:%=test-%): test-%:
+$(UNITS:%=test-%): test-%: ready
 	$(call need,iverilog,iverilog)
 	@mkdir -p build
 	iverilog -g2001 -y rtl -s $(SCHEME)_$*_tb $(VECTORS:%=-P$(SCHEME)_$*_tb.VECTORS=%) $(CAPACITY:%=-P$(SCHEME)_$*_tb.CAPACITY=%) \
 	  -P$(SCHEME)_$*_tb.SEED=$(SEED) -o build/$*_tb.vvp test/$*_tb.v
 	vvp -N build/$*_tb.vvp
 
-$(UNITS:%=verilate-%): verilate-%:
+$(UNITS:%=verilate-%): verilate-%: ready
 	$(call need,verilator,verilator)
 	@mkdir -p build
 	verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --prefix Vunit --top-module $(SCHEME)_$* \
@@ -60,7 +68,7 @@ $(UNITS:%=counts-%): counts-%:
 	@mkdir -p build
 	yosys -q -s test/$*.ys
 
-.PHONY: help check lint test verilate counts clean $(foreach target,lint test verilate counts,$(UNITS:%=$(target)-%))
+.PHONY: help check ready lint test verilate counts clean $(foreach target,lint test verilate counts,$(UNITS:%=$(target)-%))
 )make";
 
 }  // namespace

@@ -71,7 +71,7 @@ def operators(scheme, unit, datapath, optimised, folder):
 
 
 def between(scheme, unit, datapath, optimised):
-    expected = unit["register_bits"]["between_operators"]
+    expected = unit["register_bits"]["between_operators"] + unit["register_bits"]["inside_operators"]
     found, kept = netlists.register_bits(datapath), netlists.register_bits(optimised)
     text = f"{found} bits between operators" + (f", {kept} after opt" if kept != found else "")
     if found != expected:

@@ -118,7 +118,7 @@ def check_dsp(scheme, unit, folder, log, items):
         by_formats = sum(blocks(a, b, a + b, family) for a, b in formats)
         text = f"{found} DSP blocks for {multipliers} multipliers"
         if found != multipliers:
-            kinds = ", ".join(sorted({f"{a}x{b}" for a, b, _, _ in sizes})) or "none"
+            kinds = ", ".join(sorted({f"{a}x{b}" for a, b, _, _ in sizes})) or "none is left"
             text += f"; by their formats {by_formats}, by the products left after constants and unused bits ({kinds}) {expected}"
         if found != expected:
             text += f"; expected {expected}"

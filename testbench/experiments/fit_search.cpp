@@ -21,8 +21,10 @@ constexpr double least_gain = 0.02;        ///< dB
 constexpr double hopeful = 1;              ///< dB below the target that a design may be predicted to be, and still be measured
 constexpr double surely_worse = 2;         ///< dB below the target: designs that are narrower everywhere are not measured
 constexpr double worth_descending = 1.15;  ///< times the bound that a design near a known one may cost to be made cheaper
+constexpr int most_spare_bits = 2;         ///< beyond what noises that add up ask for
 constexpr int longest_climb = 3;           ///< bits that all widths near a known design may be raised by
-constexpr int longest_step = 3;            ///< bits that one width is lowered by at once
+constexpr std::size_t no_width = std::numeric_limits<std::size_t>::max();
+constexpr int longest_step = 3;  ///< bits that one width is lowered by at once
 
 struct Measured {
   double quality = 0;  ///< dB
@@ -71,6 +73,7 @@ class Search {
     scan(base, uniform, noise);
     start_from(noise, base);
     descend(noise);
+    while (try_cheaper(rebalanced(noise, base))) descend(noise);
   }
 
   /// From one bit more than a design that is alike, with widths that it does not have as narrow as they may be together.
@@ -246,11 +249,11 @@ class Search {
     }
   }
 
-  bool add_bit(const NoiseModel& noise, const Widths& base, Widths& widths) {
+  bool add_bit(const NoiseModel& noise, const Widths& base, Widths& widths, std::size_t but = no_width) {
     double most = -infinity;
     Widths chosen;
     for (std::size_t i = 0; i < count_; ++i) {
-      if (widths[i] >= base[i]) continue;
+      if (widths[i] >= base[i] || i == but) continue;
       Widths next = changed(widths, i, 1);
       if (!cost_of(next)) continue;
       const double gain = noise.amount(widths) - noise.amount(next), price = std::max(weight(next) - weight(widths), 1e-12);
@@ -283,6 +286,32 @@ class Search {
   void descend(const NoiseModel& noise) {
     while (try_cheaper(hopeful_neighbours(noise, *reached_))) {
     }
+  }
+
+  /// One width a bit narrower or wider than in the best design, and all others anew by the noises that add up: what exchanges of two
+  /// widths do not find.
+  std::vector<Candidate> rebalanced(const NoiseModel& noise, const Widths& base) {
+    const Widths from = *reached_, least = noise.narrowest(problem_.target);
+    const double quality = measured_.at(from).quality;
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < count_; ++i)
+      for (const int change : {-1, 1}) {
+        Widths widths = least;
+        widths[i] = from[i] + change;
+        if (!is_allowed(widths)) continue;
+        bool more = true;
+        while (more && noise.quality(widths, from, quality) < problem_.target) more = add_bit(noise, base, widths, i);
+        for (int spare = 0; more && spare <= most_spare_bits; ++spare) {  // predictions are rough
+          const std::optional<FitCost>& cost = cost_of(widths);
+          if (cost && *cost < *cost_of(from)) candidates.push_back({widths, 0});
+          more = add_bit(noise, base, widths, i);
+        }
+      }
+    std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+      const FitCost &one = *cost_of(a.widths), &other = *cost_of(b.widths);
+      return one != other ? one < other : a.widths < b.widths;
+    });
+    return candidates;
   }
 
   /// True if one of them reaches the target and is cheaper.

@@ -4,6 +4,7 @@
 
 #include "datapath/arithmetic.h"
 #include "datapath/register_plan.h"
+#include "rtl/shared_multipliers.h"
 
 namespace bump {
 
@@ -20,6 +21,10 @@ class Registers {
       bits.between += plan_.bits_of(i);
       if (!plan_.is_fixed(i)) bits.inside += inside(static_cast<std::size_t>(i));
     }
+    if (interval_ > 1)
+      for (const SharedMultiplier& multiplier : shared_multipliers(netlist_, schedule_))
+        bits.inside +=
+            std::int64_t{multiplier.width_a + multiplier.width_b} * stages(static_cast<std::size_t>(multiplier.products.front()));
     // Held longer than this unit needs them, or only for others.
     for (const CarriedWord& word : carried) {
       const auto port = std::find_if(netlist_.inputs().begin(), netlist_.inputs().end(),
@@ -37,10 +42,12 @@ class Registers {
   /// Registers of one bit over boundaries low .. high.
   std::int64_t registers_over(int low, int high) const { return high < low ? 0 : (high - low + interval_) / interval_; }
 
-  /// State of an operator that takes several cycles.
+  /// Clock edges inside an operator.
+  int stages(std::size_t i) const { return std::max(0, schedule_.finish[i] - schedule_.start[i] - 1); }
+
+  /// State of an operator that takes several cycles: it takes new operands every cycle, whatever the interval. Shared multipliers apart.
   std::int64_t inside(std::size_t i) const {
-    const int latency = schedule_.finish[i] - schedule_.start[i];
-    if (latency < 2) return 0;
+    if (stages(i) == 0 || (nodes_[i].op == Op::mul && interval_ > 1)) return 0;
     const auto width = [&](std::size_t operand) { return nodes_[static_cast<std::size_t>(nodes_[i].operands[operand])].format.width; };
     const Format& format = nodes_[i].format;
     int state = format.width;
@@ -51,7 +58,7 @@ class Registers {
       state = 0;
       for (const Column& column : netlist_.tables()[static_cast<std::size_t>(nodes_[i].table)]->columns) state += column.format.width;
     }
-    return state * registers_over(1, latency - 1);
+    return std::int64_t{state} * stages(i);
   }
 
   const std::vector<Node>& nodes_;

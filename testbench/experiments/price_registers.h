@@ -2,8 +2,9 @@
 // Pipeline registers of a scheduled netlist, in bits: those that the register plan (datapath/register_plan.h) has between operators, those
 // inside operators of several cycles, and what others need carried past. An operator of l cycles holds its state at l - 1 clock edges: a
 // divider its divisor, remainder, quotient and rest of the dividend; a square root radicand, remainder and root; a multiplier as many bits
-// as its product. At an initiation interval of i a register serves i edges. Left out: what the flow of tokens takes, which every unit has
-// alike (the FIFO in front, the completion queue behind, credits).
+// as its product. These are bounds: the emitted arrays keep some bits fewer (reports/rtl.md). At an initiation interval of i a register
+// between operators serves i edges; operators work every cycle. Left out: what the flow of tokens takes, which every unit has alike (the
+// FIFO in front, the completion queue behind, credits).
 
 #include <cstdint>
 #include <string>

@@ -10,6 +10,18 @@
 
 namespace bump {
 
+namespace {
+
+/// As a shell takes it for one word.
+std::string quoted(const std::string& path) {
+  if (path.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=,") == std::string::npos) return path;
+  std::string text = "'";
+  for (const char letter : path) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+}  // namespace
+
 int rtl_command(const RtlArguments& arguments) {
   watch_interrupts();
   check_rtl_folder(arguments.out, arguments.force);
@@ -29,7 +41,8 @@ int rtl_command(const RtlArguments& arguments) {
     fmt::print("{}\n", document.dump(2));
     return 0;
   }
-  fmt::print("{}{}: {} files; next: make -C {} check\n", rtl_summary(emission), arguments.out, emission.files.size(), arguments.out);
+  fmt::print("{}{}: {} files; next: make -C {} check\n", rtl_summary(emission), arguments.out, emission.files.size(),
+             quoted(arguments.out));
   return 0;
 }
 

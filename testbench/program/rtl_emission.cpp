@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "datapath/invariant.h"
+#include "datapath/sha256.h"
 #include "rtl/harness.h"
 #include "rtl/makefile.h"
 #include "rtl/test_bench.h"
@@ -94,6 +95,10 @@ Emission emit(const Scheme& scheme, const Configuration& configuration, const Em
     wrappers.push_back(emission.units.back().wrapper);
     stop_if_interrupted();
   }
+  std::string digests;  // as sha256sum writes and checks them
+  for (const auto& [path, text] : emission.files)
+    if (path.rfind("rom/", 0) == 0) digests += sha256_hex(text.data(), text.size()) + "  " + path + "\n";
+  add_file(emission, "test/roms.sha256", digests);
   add_file(emission, "test/harness.cpp", harness_text());
   add_file(emission, "Makefile", makefile_text(emission.scheme, wrappers));
   return emission;

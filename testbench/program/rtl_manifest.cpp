@@ -60,6 +60,7 @@ Json to_json(const EmittedUnit& unit) {
   for (const ExpectedCells::Kind& kind : unit.cells.kinds) entry["cells"][kind.name] = {{"types", kind.patterns}, {"count", kind.count}};
   const WrapperRegisters wrapper = wrapper_registers(unit.wrapper, unit.datapath);
   entry["register_bits"] = {{"between_operators", unit.datapath.register_bits},
+                            {"inside_operators", unit.datapath.inside_bits},
                             {"control", wrapper.control},
                             {"entry", wrapper.entry},
                             {"result", wrapper.result},

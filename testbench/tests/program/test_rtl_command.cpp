@@ -139,6 +139,21 @@ TEST_CASE("other people's tools agree with what was written, and say so when the
   }
 }
 
+TEST_CASE("a damaged ROM image, and variables that make no sense, stop the checks") {
+  TemporaryFolder folder;
+  REQUIRE(bumpsim("rtl lns --unit illumination --vectors 10 --out rtl", folder.path()).code == 0);
+  const fs::path rtl = folder.path() / "rtl";
+  CHECK(make("ready", rtl).code == 0);
+  for (const char* nonsense : {"VECTORS=0", "VECTORS=1", "VECTORS=abc", "CAPACITY=0", "SEED=x"}) {
+    CAPTURE(nonsense);
+    CHECK(make(std::string("test ") + nonsense, rtl).code != 0);
+  }
+  std::string rom = read_file(rtl / "rom/lns_DIFF.hex");
+  rom[0] = rom[0] == '0' ? '1' : '0';
+  folder.write("rtl/rom/lns_DIFF.hex", rom);
+  CHECK(make("test", rtl).code != 0);
+}
+
 TEST_CASE("a target whose tool is missing says which") {
   const TemporaryFolder folder;
   REQUIRE(bumpsim("rtl yp6 --out rtl --vectors 10", folder.path()).code == 0);

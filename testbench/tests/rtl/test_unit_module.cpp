@@ -209,7 +209,7 @@ TEST_CASE("the harness around Verilator's model passes what is right and names w
     CHECK_FALSE(wrong.passed);
     CHECK_THAT(wrong.said, Contains(says));
   };
-  fails("VECTORS=many", "'many' is no number");
+  fails("VECTORS=many", "VECTORS=many is no number");
   fails("VECTORS=201", "has only 200 vectors");
   const std::string vectors = folder.read("test/sums.hex");
   std::string wrong = vectors;
