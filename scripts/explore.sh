@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes reports/pareto.md and its plots: all schemes at equal quality, each with the structure and the widths that `bumpsim fit` finds on the
-# paper's scenes, held against scenes that were not used to choose them, priced, and under a multiplier limit. About half an hour on two idle
+# paper's scenes, held against scenes that were not used to choose them, priced, and under a multiplier limit. About forty minutes on two idle
 # cores. With EXPLORE_WORK=DIR it goes on where it was stopped: fits that are there are not made again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
