@@ -21,7 +21,7 @@ constexpr double least_gain = 0.02;        ///< dB
 constexpr double hopeful = 1;              ///< dB below the target that a design may be predicted to be, and still be measured
 constexpr double surely_worse = 2;         ///< dB below the target: designs that are narrower everywhere are not measured
 constexpr double worth_descending = 1.15;  ///< times the bound that a design near a known one may cost to be made cheaper
-constexpr int most_spare_bits = 2;         ///< beyond what noises that add up ask for
+constexpr int most_spare_bits = 4;         ///< beyond what noises that add up just allow to hope for
 constexpr int longest_climb = 3;           ///< bits that all widths near a known design may be raised by
 constexpr std::size_t no_width = std::numeric_limits<std::size_t>::max();
 constexpr int longest_step = 3;  ///< bits that one width is lowered by at once
@@ -300,7 +300,7 @@ class Search {
         widths[i] = from[i] + change;
         if (!is_allowed(widths)) continue;
         bool more = true;
-        while (more && noise.quality(widths, from, quality) < problem_.target) more = add_bit(noise, base, widths, i);
+        while (more && noise.quality(widths, from, quality) < problem_.target - hopeful) more = add_bit(noise, base, widths, i);
         for (int spare = 0; more && spare <= most_spare_bits; ++spare) {  // predictions are rough
           const std::optional<FitCost>& cost = cost_of(widths);
           if (cost && *cost < *cost_of(from)) candidates.push_back({widths, 0});
