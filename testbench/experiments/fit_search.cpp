@@ -73,7 +73,7 @@ class Search {
     scan(base, uniform, noise);
     start_from(noise, base);
     descend(noise);
-    while (try_cheaper(rebalanced(noise, base))) descend(noise);
+    while (try_cheaper(rebalanced(noise, base)) || try_cheaper(exchanged(), true)) descend(noise);
   }
 
   /// From one bit more than a design that is alike, with widths that it does not have as narrow as they may be together.
@@ -307,20 +307,40 @@ class Search {
           more = add_bit(noise, base, widths, i);
         }
       }
+    sort_by_cost(candidates);
+    return candidates;
+  }
+
+  /// One width a bit narrower and another a bit wider than in the best design, whatever noises that add up promise.
+  std::vector<Candidate> exchanged() {
+    const Widths from = *reached_;
+    std::vector<Candidate> candidates;
+    for (std::size_t down = 0; down < count_; ++down)
+      for (std::size_t up = 0; up < count_; ++up) {
+        if (up == down) continue;
+        const Widths widths = changed(changed(from, down, -1), up, 1);
+        if (!is_allowed(widths)) continue;
+        const std::optional<FitCost>& cost = cost_of(widths);
+        if (cost && *cost < *cost_of(from)) candidates.push_back({widths, 0});
+      }
+    sort_by_cost(candidates);
+    return candidates;
+  }
+
+  void sort_by_cost(std::vector<Candidate>& candidates) {
     std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
       const FitCost &one = *cost_of(a.widths), &other = *cost_of(b.widths);
       return one != other ? one < other : a.widths < b.widths;
     });
-    return candidates;
   }
 
   /// True if one of them reaches the target and is cheaper.
-  bool try_cheaper(const std::vector<Candidate>& candidates) {
+  bool try_cheaper(const std::vector<Candidate>& candidates, bool whatever_is_known = false) {
     const FitCost before = *cost_of(*reached_);
     for (std::size_t begin = 0; begin < std::min(candidates.size(), problem_.patience); begin += together) {
       std::vector<Widths> asked;
       for (std::size_t i = begin; i < std::min(candidates.size(), begin + together); ++i)
-        if (!is_hopeless(candidates[i].widths)) asked.push_back(candidates[i].widths);
+        if (whatever_is_known || !is_hopeless(candidates[i].widths)) asked.push_back(candidates[i].widths);
       measure(asked, problem_.target);
       if (*cost_of(*reached_) < before) return true;
     }

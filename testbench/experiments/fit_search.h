@@ -3,9 +3,9 @@
 // widths only roughly, so every answer is measured, and only designs are skipped that are narrower everywhere than one 2 dB short. Steps:
 // the widest design; all widths together, bisected; each width alone, from there down, which tells how much noise each value adds; a start
 // where those noises, added up, just reach the target; then descent, which lowers one or two widths, raises another in exchange, and
-// measures what the added noises promise; at its end each width is given a bit more or less, and all others anew, until nothing cheaper is
-// found. Near a design that is alike the first two steps are left out. It is a search: a local optimum, no proof. The order of
-// measurements depends on nothing but the answers. No model of hardware.
+// measures what the added noises promise; at its end each width is given a bit more or less, and all others anew, and each cheaper exchange
+// of a bit between two widths is measured, until nothing cheaper is found. Near a design that is alike the first two steps are left out. It
+// is a search: a local optimum, no proof. The order of measurements depends on nothing but the answers. No model of hardware.
 
 #include <functional>
 #include <optional>
