@@ -19,13 +19,9 @@ std::vector<bool> word_bits_at(const Table& table, const TableContents& contents
 
 }  // namespace
 
-int rom_word_bits(const Table& table) {
-  return static_cast<int>(table.bits() / table.entries());
-}
-
 std::string rom_image(const Table& table, const TableContents& contents) {
   std::string text;
-  const auto padding = static_cast<std::size_t>((4 - rom_word_bits(table) % 4) % 4);
+  const auto padding = static_cast<std::size_t>((4 - table.word_bits() % 4) % 4);
   for (std::size_t address = 0; address < static_cast<std::size_t>(table.entries()); ++address) {
     std::vector<bool> bits(padding, false);
     const std::vector<bool> word = word_bits_at(table, contents, address);

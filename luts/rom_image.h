@@ -9,10 +9,7 @@
 
 namespace bump {
 
-/// Bits of one ROM word: the stored widths of the columns that have words of their own.
-int rom_word_bits(const Table& table);
-
-/// ceil(word bits / 4) digits and a line feed for every address.
+/// ceil(word_bits / 4) digits and a line feed for every address.
 std::string rom_image(const Table& table, const TableContents& contents);
 
 }  // namespace bump

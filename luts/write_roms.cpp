@@ -81,7 +81,7 @@ Json describe(const Table& table, const TableContents& contents) {
     json["min_exponent"] = table.min_exponent;
   }
   json["entries"] = table.entries();
-  json["word_bits"] = rom_word_bits(table);
+  json["word_bits"] = table.word_bits();
   json["bits"] = table.bits();
   json["per_material"] = table.per_material;
   json["map"] = table.is_map();
@@ -89,7 +89,7 @@ Json describe(const Table& table, const TableContents& contents) {
     json["fields"].push_back({{"index", to_string(field.index)}, {"address_bits", field.address_bits}});
   json["codes_checked"] = error.codes;
   json["all_codes_checked"] = error.all_codes;
-  int low_bit = rom_word_bits(table);
+  int low_bit = table.word_bits();
   json["columns"] = Json::array();
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     json["columns"].push_back(describe_column(table, table.columns[i], low_bit, error.columns[i]));

@@ -2,8 +2,8 @@
 // The pipeline registers of a scheduled netlist: which word is held over which clock edge. A word is held from the cycle after it was made
 // until its last reader; with an initiation interval of several cycles a register holds its word that long. Wiring and sign logic that take
 // no time are no words of their own but views of the operand: they are formed again where they are read, unless the views that are still
-// needed have fewer bits than the operand, which then goes on as those parts. Left out: the state inside operators of several cycles.
-// What is priced (price_registers.h) and what is emitted (rtl/datapath_module.h) follow this one plan.
+// needed have fewer bits than the operand, which then goes on as those parts. Left out: the state inside operators of several cycles
+// (array_registers.h). What is priced (price_registers.h) and what is emitted (rtl/datapath_module.h) follow this one plan.
 
 #include <vector>
 

@@ -104,11 +104,11 @@ int Table::stored_width(const Column& column) const {
   return column.format.width - (sign_is_folded(*this, column) ? 1 : 0);
 }
 
-std::int64_t Table::bits() const {
-  std::int64_t width = 0;
+int Table::word_bits() const {
+  int width = 0;
   for (const Column& column : columns)
     if (!column.mirrors_first) width += stored_width(column);
-  return width * entries();
+  return width;
 }
 
 TableAddress address_of(const Table& table, std::int64_t index) {

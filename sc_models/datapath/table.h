@@ -75,8 +75,10 @@ struct Table {
   std::int64_t entries() const { return std::int64_t{1} << (address_bits + field_bits()); }
   /// Value of a column at index values, one per index word.
   double value(const Column& column, const double* at) const { return is_map() ? column.map_function(at) : column.function(*at); }
-  /// Stored bits: entries times the widths of the columns that have words of their own (the sign of folded odd columns is not stored).
-  std::int64_t bits() const;
+  /// Bits of one stored word: the stored widths of the columns that have words of their own, side by side.
+  int word_bits() const;
+  /// Stored bits: entries() words.
+  std::int64_t bits() const { return entries() * word_bits(); }
   /// Bits of one stored word of `column`: its format's width, less the sign bit where folding supplies the sign.
   int stored_width(const Column& column) const;
 };

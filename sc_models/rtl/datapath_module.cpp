@@ -272,6 +272,7 @@ class DatapathText {
   }
 
   void add_leaf(const VerilogModule& leaf) {
+    module_.inside_bits += leaf.register_bits;
     const bool known =
         std::any_of(module_.leaves.begin(), module_.leaves.end(), [&](const VerilogModule& m) { return m.name == leaf.name; });
     if (!known) module_.leaves.push_back(leaf);
@@ -436,8 +437,7 @@ class DatapathText {
 
 }  // namespace
 
-DatapathModule datapath_module(const std::string& scheme, const std::string& unit, const Netlist& netlist, const Schedule& schedule,
-                               const OperatorLatencies&) {
+DatapathModule datapath_module(const std::string& scheme, const std::string& unit, const Netlist& netlist, const Schedule& schedule) {
   return DatapathText(scheme, unit, netlist, schedule).module();
 }
 

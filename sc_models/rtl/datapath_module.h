@@ -32,11 +32,10 @@ struct DatapathModule {
   bool has_clock = false;           ///< any register: then there is a port clk
   std::vector<std::string> folded;  ///< operators of constants only, by node name: counted, but no hardware
   std::int64_t register_bits = 0;   ///< between operators, as the register plan has them; not those inside operators
-  std::int64_t inside_bits = 0;     ///< of operators of several cycles that are written out here; not inside the leaves
+  std::int64_t inside_bits = 0;     ///< of operators of several cycles, in the leaves, too
 };
 
-/// `schedule` must be the netlist's under `latencies`. Module "<scheme>_<unit>_datapath".
-DatapathModule datapath_module(const std::string& scheme, const std::string& unit, const Netlist& netlist, const Schedule& schedule,
-                               const OperatorLatencies& latencies);
+/// Module "<scheme>_<unit>_datapath".
+DatapathModule datapath_module(const std::string& scheme, const std::string& unit, const Netlist& netlist, const Schedule& schedule);
 
 }  // namespace bump

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "datapath/arithmetic.h"
+#include "datapath/array_registers.h"
 #include "datapath/invariant.h"
 #include "rtl/leaf_text.h"
 
@@ -22,6 +23,7 @@ class DividerArray {
         shift_(divider_shape(a, b, quotient).shift),
         rows_(magnitude_bits(quotient)),
         cut_(std::max(0, -shift_)),
+        edges_(divider_edges(a, b, quotient, stages)),
         text_(name()) {
     BUMP_ASSERT(stages >= 0 && rows_ >= 1 && !b.is_signed && (quotient.is_signed || !a.is_signed));
   }
@@ -32,7 +34,7 @@ class DividerArray {
     const int share = rows_per_segment(rows_, stages_);
     int row = 0;
     for (int segment = 0; segment <= stages_; ++segment) {
-      if (segment > 0) registers(segment, row);
+      if (segment > 0) registers(segment, edges_[static_cast<std::size_t>(segment) - 1]);
       for (const int end = std::min(rows_, row + share); row < end; ++row) add_row(row);
     }
     result();
@@ -105,23 +107,21 @@ class DividerArray {
     ++found_bits_;
   }
 
-  void registers(int segment, int row) {
+  void registers(int segment, const DividerEdge& kept) {
+    BUMP_ASSERT(kept.found == found_bits_ && (kept.divisor == 0 || kept.remainder == remainder_bits_));
     std::vector<LeafText::Register> bank;
     const auto keep = [&](std::string& word, const std::string& called, int width, const std::string& next) {
       word = fmt::format("{}_{}", called, segment);
       bank.push_back({word, width, next});
     };
-    if (a_.is_signed) keep(negative_, "negative", 0, std::string(negative_));
+    if (kept.sign > 0) keep(negative_, "negative", 0, std::string(negative_));
     keep(too_large_, "too_large", 0, std::string(too_large_));
-    if (row < rows_ && bit_at(rows_ - 1) < a_.width) {  // rows are left, and one of them sees the dividend
-      keep(divisor_, "b", b_.width, std::string(divisor_));
-      if (remainder_bits_ > 0) keep(remainder_, "remainder", remainder_bits_, std::string(remainder_));
-      const int highest = std::min(a_.width - 1, bit_at(row));
-      if (highest >= cut_) keep(rest_, "rest", highest - cut_ + 1, bits_of(rest_, highest - cut_, 0));
-    }
-    if (found_bits_ > 0) {
+    if (kept.divisor > 0) keep(divisor_, "b", kept.divisor, std::string(divisor_));
+    if (kept.remainder > 0) keep(remainder_, "remainder", kept.remainder, std::string(remainder_));
+    if (kept.rest > 0) keep(rest_, "rest", kept.rest, bits_of(rest_, kept.rest - 1, 0));
+    if (kept.found > 0) {
       std::string word;
-      keep(word, "found", found_bits_, concatenation(found_));
+      keep(word, "found", kept.found, concatenation(found_));
       found_ = {word};
     }
     text_.remark(fmt::format("end of segment {}", segment - 1));
@@ -139,6 +139,7 @@ class DividerArray {
   Format a_, b_, q_;
   int stages_, shift_, rows_;
   int cut_;  // low bits of |a| that a shift to the right drops
+  std::vector<DividerEdge> edges_;
   LeafText text_;
 
   // The words as they are called in the present segment.

@@ -44,10 +44,6 @@ std::string zero_extended(const std::string& word, int from, int to) {
   return concatenation({copies("1'b0", to - from), word});
 }
 
-int rows_per_segment(int rows, int stages) {
-  return (rows + stages) / (stages + 1);
-}
-
 void LeafText::clock(Read read) {
   const std::string port = "  input  wire clk";
   ports_.push_back(read == Read::whole ? port : lint_off + port + lint_on);
@@ -69,7 +65,10 @@ void LeafText::word(const std::string& name, int width, const std::string& expre
 
 void LeafText::registers(const std::vector<Register>& bank) {
   if (bank.empty()) return;
-  for (const Register& r : bank) line("reg " + (r.width == 0 ? "" : verilog_range(r.width)) + r.name + ";");
+  for (const Register& r : bank) {
+    line("reg " + (r.width == 0 ? "" : verilog_range(r.width)) + r.name + ";");
+    register_bits_ += r.width == 0 ? 1 : r.width;
+  }
   line("always @(posedge clk) begin");
   for (const Register& r : bank) line("  " + r.name + " <= " + r.next + ";");
   line("end");
@@ -85,7 +84,9 @@ VerilogModule LeafText::module() const {
     text += end == std::string::npos ? ports_[i] + comma : ports_[i].substr(0, end) + comma + lint_on;
     text += "\n";
   }
-  return verilog_module(name_, comments_, text + ");\n" + body_ + "endmodule\n");
+  VerilogModule module = verilog_module(name_, comments_, text + ");\n" + body_ + "endmodule\n");
+  module.register_bits = register_bits_;
+  return module;
 }
 
 }  // namespace bump

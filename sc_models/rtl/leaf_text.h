@@ -23,9 +23,6 @@ std::string bits_of(const std::string& word, int high, int low);
 /// A word of an unsigned expression, widened with zeros in front.
 std::string zero_extended(const std::string& word, int from, int to);
 
-/// Rows of an array in each of the stages + 1 segments of combinational logic: the first segments are full.
-int rows_per_segment(int rows, int stages);
-
 class LeafText {
  public:
   enum class Read { whole, partly };  ///< partly: some bits are dropped by intent
@@ -60,6 +57,7 @@ class LeafText {
  private:
   std::string name_, body_;
   std::vector<std::string> comments_, ports_;
+  std::int64_t register_bits_ = 0;
 };
 
 }  // namespace bump

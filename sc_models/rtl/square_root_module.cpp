@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "datapath/arithmetic.h"
+#include "datapath/array_registers.h"
 #include "datapath/invariant.h"
 #include "rtl/leaf_text.h"
 
@@ -15,7 +16,13 @@ namespace {
 class RootArray {
  public:
   RootArray(const Format& a, const Format& root, int stages)
-      : a_(a), q_(root), stages_(stages), shape_(root_shape(a, root)), cut_(std::max(0, -shape_.shift)), text_(name()) {
+      : a_(a),
+        q_(root),
+        stages_(stages),
+        shape_(root_shape(a, root)),
+        cut_(std::max(0, -shape_.shift)),
+        edges_(root_edges(a, root, stages)),
+        text_(name()) {
     BUMP_ASSERT(stages >= 0 && shape_.magnitude >= 1 && !a.is_signed);
   }
 
@@ -24,7 +31,7 @@ class RootArray {
     const int share = rows_per_segment(shape_.rows, stages_);
     int row = 0;
     for (int segment = 0; segment <= stages_; ++segment) {
-      if (segment > 0) registers(segment, row);
+      if (segment > 0) registers(segment, edges_[static_cast<std::size_t>(segment) - 1]);
       for (const int end = std::min(shape_.rows, row + share); row < end; ++row) add_row(row);
     }
     result();
@@ -79,21 +86,18 @@ class RootArray {
     root_ = root;
   }
 
-  void registers(int segment, int row) {
+  void registers(int segment, const RootEdge& kept) {
     std::vector<LeafText::Register> bank;
     const auto keep = [&](std::string& word, const std::string& called, int width, const std::string& next) {
       word = fmt::format("{}_{}", called, segment);
       bank.push_back({word, width, next});
     };
-    if (row < shape_.rows) {
-      if (row > 0) keep(remainder_, "remainder", row + 1, std::string(remainder_));
-      const int highest = std::min(a_.width - 1, low_bit_at(row) + 1);
-      if (highest >= cut_) {
-        keep(rest_, "rest", highest - cut_ + 1, bits_of(rest_, highest - rest_origin_, cut_ - rest_origin_));
-        rest_origin_ = cut_;
-      }
+    if (kept.remainder > 0) keep(remainder_, "remainder", kept.remainder, std::string(remainder_));
+    if (kept.rest > 0) {
+      keep(rest_, "rest", kept.rest, bits_of(rest_, cut_ + kept.rest - 1 - rest_origin_, cut_ - rest_origin_));
+      rest_origin_ = cut_;
     }
-    if (row > 0) keep(root_, "found", root_bits_, std::string(root_));
+    if (kept.found > 0) keep(root_, "found", kept.found, std::string(root_));
     text_.remark(fmt::format("end of segment {}", segment - 1));
     text_.registers(bank);
   }
@@ -104,6 +108,7 @@ class RootArray {
   int stages_;
   RootShape shape_;
   int cut_;  // low bits of a that a shift to the right drops
+  std::vector<RootEdge> edges_;
   LeafText text_;
 
   // The words as they are called in the present segment; the radicand's lowest bit is bit `rest_origin_` of a.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "datapath/array_registers.h"
 #include "datapath/invariant.h"
 #include "luts/rom_image.h"
 #include "rtl/leaf_text.h"
@@ -36,7 +37,8 @@ class TableWriter {
         name_(verilog_identifier(scheme + "_" + table.name)),
         rom_name_("rom_" + name_ + (ports == 2 ? "_p2" : "")),
         address_bits_(table.address_bits + table.field_bits()),
-        word_bits_(rom_word_bits(table)),
+        word_bits_(table.word_bits()),
+        edges_(table_edges(table, stages)),
         mirrors_(std::any_of(table.columns.begin(), table.columns.end(), [](const Column& column) { return column.mirrors_first; })),
         text_("table_" + name_ + (ports == 2 ? "_p2" : "") + (stages > 0 ? fmt::format("_n{}", stages) : "")) {
     BUMP_ASSERT((ports == 1 || ports == 2) && stages >= 0);
@@ -76,7 +78,9 @@ class TableWriter {
     for (int port = 0; port < ports_; ++port) port_reads.push_back(front(port));
     instance(port_reads);
     for (int port = 0; port < ports_; ++port) back(port, port_reads[static_cast<std::size_t>(port)]);
-    return text_.module();
+    const VerilogModule module = text_.module();
+    BUMP_ASSERT(module.register_bits == ports_ * edges_.bits());
+    return module;
   }
 
  private:
@@ -136,8 +140,7 @@ class TableWriter {
       text_.bit("beyond" + suffix, bits_of(index[0], top, top) + " ^ " + bits_of(index[0], top - 1, top - 1));
       read.beyond = "beyond" + suffix;
     }
-    const int in_front = stages_ > 1 ? stages_ - 1 : stages_;
-    for (int stage = 1; stage <= in_front; ++stage) {
+    for (int stage = 1; stage <= edges_.in_front; ++stage) {
       std::vector<LeafText::Register> bank;
       keep(bank, read.address, fmt::format("address_s{}{}", stage, suffix), address_bits_);
       keep_signs(bank, read, stage, suffix);
@@ -176,7 +179,7 @@ class TableWriter {
   void back(int port, Read read) {
     const std::string suffix = "_" + std::to_string(port);
     text_.remark("columns of port " + std::to_string(port));
-    if (stages_ > 1) {
+    if (edges_.behind > 0) {
       std::vector<LeafText::Register> bank;
       keep(bank, read.word, "word_r" + suffix, word_bits_);
       if (mirrors_) keep(bank, read.mirrored, "mirrored_r" + suffix, read_bits(ports_));
@@ -207,6 +210,7 @@ class TableWriter {
   int ports_, stages_;
   std::string name_, rom_name_;
   int address_bits_, word_bits_;
+  TableEdges edges_;
   bool mirrors_;
   LeafText text_;
 };

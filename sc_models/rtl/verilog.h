@@ -13,7 +13,8 @@ namespace bump {
 /// A module of its own file, "rtl/<name>.v".
 struct VerilogModule {
   std::string name;
-  std::string text;  ///< the whole file
+  std::string text;                ///< the whole file
+  std::int64_t register_bits = 0;  ///< of one instance
 };
 
 /// `name` with everything but letters, digits and '_' replaced by '_', e.g. "L.theta_x" to "L_theta_x". Keywords of the language and names

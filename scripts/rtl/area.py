@@ -52,8 +52,8 @@ write_verilog -noattr -noexpr {netlist}
 
 
 def statistics(path):
-    """Cells of the last module of `stat -liberty`: (um2 of flip-flops, number of them, um2 of everything else, unknown types with "
-      "their number)."""
+    """Cells of the last module of `stat -liberty`: (um2 of flip-flops, number of them, um2 of everything else, unknown types with
+    their number)."""
     areas, flops, number, logic, boxes = tools.cell_areas(), 0.0, 0, 0.0, {}
     for name, count in re.findall(r"^\s+([\\$\w]+)\s+(\d+)$", path.read_text(), re.M):
         if name.startswith("DFF") or name.startswith("LATCH"):
@@ -192,11 +192,15 @@ def priced(unit_price):
 SMALL = 100  # NAND2, below which an error in per cent says nothing
 
 
+PARTS = ("operators", "registers", "tables")
+
+
 def compare(scheme, width, synthesised, price, notes):
-    """One line a scheme and width: error of the table of prices in operators, registers, tables and all."""
+    """One line a scheme and width: error of the table of prices in operators, registers, tables and all. The figures are those of each
+    unit, by name."""
     sums = {}
     for name, figures in (("synthesised", synthesised), ("priced", price)):
-        sums[name] = {part: sum(unit[part] for unit in figures) for part in ("operators", "registers", "tables")}
+        sums[name] = {part: sum(unit[part] for unit in figures.values()) for part in PARTS}
         sums[name]["logic"] = sums[name]["operators"] + sums[name]["registers"]
         sums[name]["total"] = sums[name]["logic"] + sums[name]["tables"]
     exception = SETTINGS["exceptions"].get(scheme, {})
@@ -212,4 +216,6 @@ def compare(scheme, width, synthesised, price, notes):
     shown = ", ".join(f"{part} {error:+.1%}" for part, error in errors.items() if part != "logic")
     text = f"{width} bits: {sums['synthesised']['total']:.0f} NAND2, price table {shown}"
     text += "".join(f"; {reason}" for reason in outside) + "".join(f"; {note}" for note in notes)
-    return Check(FAILED if outside else OK, "area", scheme, "all", text, {"width": width, **sums, "errors": errors, "notes": notes})
+    units = {unit: sum(figures[part] for part in PARTS) for unit, figures in synthesised.items()}
+    return Check(FAILED if outside else OK, "area", scheme, "all", text,
+                 {"width": width, **sums, "units": units, "errors": errors, "notes": notes})

@@ -94,18 +94,18 @@ class Plan:
         settings, notes = self.program.width_settings(scheme, width)
         folder, manifest = self.program.emit(scheme, f"w{width}", settings)
         units = manifest["units"]
-        made = [area.unit_area(self.synthesis, folder, unit) for unit in units]
+        made = {unit["unit"]: area.unit_area(self.synthesis, folder, unit) for unit in units}
         found = []
         if "area" in checks:
             prices = self.program.price(scheme, settings)
-            found.append(area.compare(scheme, width, made, [area.priced(prices[unit["unit"]]) for unit in units], notes))
+            found.append(area.compare(scheme, width, made, {unit: area.priced(prices[unit]) for unit in made}, notes))
             wrappers = [self.synthesis.wrapper(folder, unit["top"]) for unit in units]
             handshake = sum(w["registers"] + w["operators"] for w in wrappers)
             found.append(Check(OK, "area_handshake", scheme, "all", f"{width} bits: {handshake:.0f} NAND2 beside the datapaths, most of "
                                                                     f"it queues",
                                {"width": width, "area": handshake}))
         if "clock" in checks:
-            for unit, figures in zip(units, made):
+            for unit, figures in zip(units, made.values()):
                 if tools.missing(*CHECKS["clock"]):
                     found.append(Check(SKIPPED, "clock", scheme, unit["unit"], f"no {tools.missing(*CHECKS['clock'])}"))
                 else:

@@ -36,7 +36,7 @@ def removed(before, after, patterns, folder):
 
 
 def check_unit(scheme, unit, folder, log):
-    """Three lines: operators and tables, registers between operators, and the wrapper's registers."""
+    """Three lines: operators and tables, registers of the datapath, and the wrapper's registers."""
     log.parent.mkdir(parents=True, exist_ok=True)
     before_path, after_path = log.with_suffix(".before.json"), log.with_suffix(".after.json")
     tools.yosys(SCRIPT.format(top=unit["top"], before=before_path, after=after_path), log, folder)
@@ -45,8 +45,9 @@ def check_unit(scheme, unit, folder, log):
     after_path.unlink()
     name = unit["cells"]["module"]
     datapath, optimised, wrapper = before[name], after[name], before[unit["top"]]
-    checks = [operators(scheme, unit, datapath, optimised, folder), between(scheme, unit, datapath, optimised)]
-    return checks + [wrapper_registers(scheme, unit, wrapper)]
+    bits = [netlists.register_bits_below(modules, name) for modules in (before, after)]
+    return [operators(scheme, unit, datapath, optimised, folder), datapath_registers(scheme, unit, *bits),
+            wrapper_registers(scheme, unit, wrapper)]
 
 
 def operators(scheme, unit, datapath, optimised, folder):
@@ -70,12 +71,11 @@ def operators(scheme, unit, datapath, optimised, folder):
     return Check(FAILED if differences else OK, "operators", scheme, unit["unit"], text, data)
 
 
-def between(scheme, unit, datapath, optimised):
+def datapath_registers(scheme, unit, found, kept):
     expected = unit["register_bits"]["between_operators"] + unit["register_bits"]["inside_operators"]
-    found, kept = netlists.register_bits(datapath), netlists.register_bits(optimised)
-    text = f"{found} bits between operators" + (f", {kept} after opt" if kept != found else "")
+    text = f"{found} bits between and inside operators" + (f", {kept} after opt" if kept != found else "")
     if found != expected:
-        text = f"{found} bits between operators instead of {expected}"
+        text = f"{found} bits between and inside operators instead of {expected}"
     return Check(OK if found == expected else FAILED, "registers", scheme, unit["unit"], text, {"bits": found, "after_opt": kept})
 
 

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Designs of equal picture quality in gates: what scripts/rtl_equal_quality.sh runs. For the designs that `bumpsim fit` found at each "
-  "target it
-synthesises the datapaths and their tables into 0.18 um cells and measures their energy, beside what the table of prices says of the same
-hardware. Figures go to <work>/equal_quality.json, for scripts/rtl_report.py."""
+"""Designs of equal picture quality in gates: what scripts/rtl_equal_quality.sh runs. For the designs that `bumpsim fit` found at each
+target it synthesises the datapaths and their tables into 0.18 um cells and measures their energy, beside what the table of prices says of
+the same hardware. Figures go to <work>/equal_quality.json, for scripts/rtl_report.py."""
 
 import argparse
 import concurrent.futures
@@ -50,8 +49,8 @@ def fit_baselines(program, targets, others):
 
 
 def designs(folders, targets, largest):
-    """Designs of the fits, each with the targets it stands for; and what is left out because it is larger than `largest` NAND2 by the "
-      "price table."""
+    """Designs of the fits, each with the targets it stands for; and what is left out because it is larger than `largest` NAND2 by the
+    price table."""
     found, left_out = {}, set()
     for path in [path for folder in folders for path in sorted(folder.glob("fit-*.json"))]:
         fit = json.loads(path.read_text())
@@ -86,15 +85,18 @@ class Gates:
         scheme, settings = design["scheme"], design["settings"]
         folder, manifest = self.program.emit(scheme, f"equal-{number}", settings, vectors=2 * (power.CYCLES + 100))
         prices = self.program.price(scheme, settings)
-        made = [area.unit_area(self.synthesis, folder, unit) for unit in manifest["units"]]
-        priced = [area.priced(prices[unit["unit"]]) for unit in manifest["units"]]
-        parts = ("operators", "registers", "tables")
-        result = {**design, "synthesised": {part: sum(unit[part] for unit in made) for part in parts},
-                  "priced": {part: sum(unit[part] for unit in priced) for part in parts}}
+        made = {unit["unit"]: area.unit_area(self.synthesis, folder, unit) for unit in manifest["units"]}
+        priced = [area.priced(prices[unit]) for unit in made]
+        result = {**design, "synthesised": {part: sum(unit[part] for unit in made.values()) for part in area.PARTS},
+                  "priced": {part: sum(unit[part] for unit in priced) for part in area.PARTS},
+                  "units": {unit["unit"]: {"multipliers": unit["built"]["multipliers"], "dividers": unit["built"]["dividers"],
+                                           "gates": sum(made[unit["unit"]][part] for part in area.PARTS)} for unit in manifest["units"]}}
         if self.with_energy:
-            energies = [self.energy(number, scheme, folder, unit, figures) for unit, figures in zip(manifest["units"], made)]
-            result["energy_pj"] = sum(energy["total"] for energy in energies)
-            result["energy_clocked_pj"] = sum(energy["sequential"] for energy in energies)
+            energies = {unit["unit"]: self.energy(number, scheme, folder, unit, made[unit["unit"]]) for unit in manifest["units"]}
+            result["energy_pj"] = sum(energy["total"] for energy in energies.values())
+            result["energy_clocked_pj"] = sum(energy["sequential"] for energy in energies.values())
+            for unit, energy in energies.items():
+                result["units"][unit]["energy_pj"] = energy["total"]
         print(f"{scheme:<18} {'/'.join(map(str, design['targets'])):<9} {sum(result['synthesised'].values()):8.0f} NAND2, price table "
               f"{sum(result['priced'].values()) / sum(result['synthesised'].values()) - 1:+.1%}"
               + (f", {result['energy_pj']:.0f} pJ" if self.with_energy else ""), flush=True)

@@ -30,6 +30,12 @@ def register_bits(module):
     return sum(parameter(module["cells"][name], "WIDTH") for name in flops)
 
 
+def register_bits_below(modules, name):
+    """Bits of the flip-flops in a module and, instance by instance, in what it is made of."""
+    cells = modules[name]["cells"].values()
+    return register_bits(modules[name]) + sum(register_bits_below(modules, cell["type"]) for cell in cells if cell["type"] in modules)
+
+
 def memory_bits(module):
     return sum(parameter(module["cells"][name], "SIZE") * parameter(module["cells"][name], "WIDTH") for name in cells_of(module, "$mem*"))
 

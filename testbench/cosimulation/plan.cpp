@@ -37,7 +37,7 @@ std::string wrapper_path(const PlannedUnit& unit) {
 
 PlannedUnit plan_unit(const std::string& scheme, const Netlist& netlist, const Schedule& schedule, const StageSpec& stage,
                       const Configuration& configuration) {
-  const DatapathModule datapath = datapath_module(scheme, stage.name, netlist, schedule, operator_latencies(configuration));
+  const DatapathModule datapath = datapath_module(scheme, stage.name, netlist, schedule);
   const RtlUnit wrapper = unit_module(scheme, stage.name, datapath, static_cast<int>(configuration.integer(stage.name + ".capacity")));
   PlannedUnit unit;
   unit.unit = stage.name;

@@ -20,6 +20,7 @@ const About& about(Component component) {
       {"adder", {"width"}, C::adder, G::adders},
       {"constant_adder", {"width"}, C::adder, G::adders},
       {"adder_subtractor", {"width"}, C::adder_subtractor, G::adders},
+      {"constant_adder_subtractor", {"width"}, C::adder_subtractor, G::adders},
       {"multiplier", {"first", "second"}, C::multiplier, G::multipliers},
       {"squarer", {"width"}, C::multiplier, G::multipliers},
       {"constant_multiplier", {"first", "second"}, C::multiplier, G::multipliers},

@@ -73,7 +73,8 @@ class Items {
                   is_wired(node().operands[0]) || is_wired(node().operands[1]) ? Component::constant_adder : Component::adder);
         break;
       case Op::add_sub:
-        add_adder(operand(1), operand(2), Component::adder_subtractor);
+        add_adder(operand(1), operand(2),
+                  is_wired(node().operands[2]) ? Component::constant_adder_subtractor : Component::adder_subtractor);
         break;
       case Op::mul:
         add_multiplier();

@@ -1,8 +1,9 @@
 #include "testbench/experiments/price_registers.h"
 
 #include <algorithm>
+#include <numeric>
 
-#include "datapath/arithmetic.h"
+#include "datapath/array_registers.h"
 #include "datapath/register_plan.h"
 #include "rtl/shared_multipliers.h"
 
@@ -47,18 +48,27 @@ class Registers {
 
   /// State of an operator that takes several cycles: it takes new operands every cycle, whatever the interval. Shared multipliers apart.
   std::int64_t inside(std::size_t i) const {
-    if (stages(i) == 0 || (nodes_[i].op == Op::mul && interval_ > 1)) return 0;
-    const auto width = [&](std::size_t operand) { return nodes_[static_cast<std::size_t>(nodes_[i].operands[operand])].format.width; };
-    const Format& format = nodes_[i].format;
-    int state = format.width;
-    if (nodes_[i].op == Op::mul) state = width(0) + width(1);
-    if (nodes_[i].op == Op::div) state = magnitude_bits(format) + 2 * width(1) + (format.is_signed ? 1 : 0);
-    if (nodes_[i].op == Op::sqrt) state = 2 * magnitude_bits(format) + 1;
-    if (nodes_[i].op == Op::table) {
-      state = 0;
-      for (const Column& column : netlist_.tables()[static_cast<std::size_t>(nodes_[i].table)]->columns) state += column.format.width;
+    const Node& node = nodes_[i];
+    if (stages(i) == 0) return 0;
+    const auto format = [&](std::size_t operand) { return nodes_[static_cast<std::size_t>(node.operands[operand])].format; };
+    switch (node.op) {
+      case Op::mul:
+        return interval_ > 1 ? 0 : std::int64_t{format(0).width + format(1).width} * stages(i);
+      case Op::div:
+        return bits_of(divider_edges(format(0), format(1), node.format, stages(i)));
+      case Op::sqrt:
+        return bits_of(root_edges(format(0), node.format, stages(i)));
+      case Op::table:
+        return table_edges(*netlist_.tables()[static_cast<std::size_t>(node.table)], stages(i)).bits();
+      default:
+        return std::int64_t{node.format.width} * stages(i);
     }
-    return std::int64_t{state} * stages(i);
+  }
+
+  template <class Edge>
+  static std::int64_t bits_of(const std::vector<Edge>& edges) {
+    return std::accumulate(edges.begin(), edges.end(), std::int64_t{0},
+                           [](std::int64_t sum, const Edge& edge) { return sum + edge.bits(); });
   }
 
   const std::vector<Node>& nodes_;

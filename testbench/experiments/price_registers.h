@@ -1,10 +1,10 @@
 #pragma once
 // Pipeline registers of a scheduled netlist, in bits: those that the register plan (datapath/register_plan.h) has between operators, those
-// inside operators of several cycles, and what others need carried past. An operator of l cycles holds its state at l - 1 clock edges: a
-// divider its divisor, remainder, quotient and rest of the dividend; a square root radicand, remainder and root; a multiplier as many bits
-// as its product. These are bounds: the emitted arrays keep some bits fewer (reports/rtl.md). At an initiation interval of i a register
-// between operators serves i edges; operators work every cycle. Left out: what the flow of tokens takes, which every unit has alike (the
-// FIFO in front, the completion queue behind, credits).
+// inside operators of several cycles, and what others need carried past. Dividers, square roots and tables hold what
+// datapath/array_registers.h says, a multiplier of several cycles its factors, any other its result, at each clock edge inside. The emitted
+// Verilog has exactly these bits; synthesis takes away those that never change. At an initiation interval of i a register between
+// operators serves i edges; operators work every cycle. Left out: what the flow of tokens takes, which every unit has alike (the FIFO in
+// front, the completion queue behind, credits).
 
 #include <cstdint>
 #include <string>

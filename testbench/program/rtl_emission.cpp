@@ -27,13 +27,14 @@ std::vector<NamedNetlist> chosen_units(const Design& design, const std::string& 
   for (const NamedNetlist& unit : all)
     if (is_hardware(unit)) hardware += (hardware.empty() ? "" : ", ") + unit.name;
   for (const std::string& name : names) {
-    const Netlist& netlist = unit_of(design, scheme, name);
-    for (const NamedNetlist& unit : all)
-      if (unit.netlist == &netlist && !is_hardware(unit))
-        throw Error({"unit " + name + " of " + scheme + " is no datapath",
-                     {},
-                     unit.is_datapath ? "it has no operands or no results" : "it is a program, in floating point",
-                     hardware});
+    const auto unit = std::find_if(all.begin(), all.end(), [&](const NamedNetlist& known) { return known.name == name; });
+    if (unit == all.end())
+      throw Error({"scheme " + scheme + " has no unit '" + name + "'", {}, "what becomes Verilog is: " + hardware, hardware});
+    if (!is_hardware(*unit))
+      throw Error({"unit " + name + " of " + scheme + " is no datapath",
+                   {},
+                   unit->is_datapath ? "it has no operands or no results" : "it is a program, in floating point",
+                   hardware});
   }
   std::vector<NamedNetlist> units;
   for (const NamedNetlist& unit : all)
@@ -64,7 +65,7 @@ void add_unit(Emission& emission, const NamedNetlist& named, const Configuration
   EmittedUnit unit;
   unit.schedule = schedule(*named.netlist, latencies, multiplier_limit(named.name, configuration));
   unit.built = count(*named.netlist);
-  unit.datapath = datapath_module(emission.scheme, named.name, *named.netlist, unit.schedule, latencies);
+  unit.datapath = datapath_module(emission.scheme, named.name, *named.netlist, unit.schedule);
   unit.wrapper = unit_module(emission.scheme, named.name, unit.datapath, capacity(named.name, configuration));
   unit.cells = expected_cells(*named.netlist, unit.schedule, unit.datapath);
 

@@ -92,7 +92,7 @@ TEST_CASE("the words of an image are those of the evaluator") {
     const std::string image = rom_image(*table, contents);
     const auto lines = std::count(image.begin(), image.end(), '\n');
     REQUIRE(lines == table->entries());
-    const auto digits = static_cast<std::size_t>((rom_word_bits(*table) + 3) / 4);
+    const auto digits = static_cast<std::size_t>((table->word_bits() + 3) / 4);
     REQUIRE(image.size() == static_cast<std::size_t>(lines) * (digits + 1));
     REQUIRE(image.find_first_not_of("0123456789abcdef\n") == std::string::npos);
     const auto words = parse(image, *table);

@@ -101,17 +101,23 @@ TEST_CASE("squarers and constants of the structure are cases of their own, const
   n.output("square", n.mul("square", x, x, sfixed(18, 14)));
   n.output("scaled", n.mul("scaled", x, n.shift("k_shifted", k, 1, sfixed(7, 4)), sfixed(16, 11)));
   n.output("raised", n.add("raised", x, k, sfixed(10, 7)));
-  check(built_items(n, nullptr),
-        {{Component::constant_adder, {7}, 1}, {Component::squarer, {9, 9}, 1}, {Component::constant_multiplier, {9, 7}, 1}});
+  n.output("turned", n.add_sub("turned", n.is_negative("sign", x), x, k, sfixed(10, 7)));
+  check(built_items(n, nullptr), {{Component::constant_adder, {7}, 1},
+                                  {Component::constant_adder_subtractor, {7}, 1},
+                                  {Component::squarer, {9, 9}, 1},
+                                  {Component::constant_multiplier, {9, 7}, 1}});
   Netlist other("unit");
   const Wire y = other.input("x", sfixed(9, 7)), l = other.constant("k", 0.5, sfixed(6, 4));
   other.output("square", other.mul("square", y, y, sfixed(18, 14)));
   other.output("scaled", other.mul("scaled", y, other.shift("k_shifted", l, 1, sfixed(7, 4)), sfixed(16, 11)));
   other.output("raised", other.add("raised", y, l, sfixed(10, 7)));
+  other.output("turned", other.add_sub("turned", other.is_negative("sign", y), y, l, sfixed(10, 7)));
   ItemOptions options;
   options.settable = differing_constants(n, other);
-  check(built_items(n, nullptr, options),
-        {{Component::adder, {7}, 1}, {Component::multiplier, {9, 7}, 1}, {Component::squarer, {9, 9}, 1}});
+  check(built_items(n, nullptr, options), {{Component::adder, {7}, 1},
+                                           {Component::adder_subtractor, {7}, 1},
+                                           {Component::multiplier, {9, 7}, 1},
+                                           {Component::squarer, {9, 9}, 1}});
 }
 
 TEST_CASE("divisions, roots, selections, shifters and clamps have the sizes of their arrays") {
@@ -252,7 +258,8 @@ TEST_CASE("operators of several cycles hold their state, and words may be carrie
   const Schedule s = schedule(n, {});
   REQUIRE(s.latency == 8);
   const RegisterBits bits = pipeline_registers(n, s);
-  CHECK(bits.inside == 7 * (8 + 11 + 11 + 1));
+  // Sign, one too large, divisor, remainder, and the quotient bits found so far; |a| is shifted past all rows at once.
+  CHECK(bits.inside == 7 * (1 + 1 + 11 + 11) + (1 + 2 + 3 + 4 + 5 + 6 + 7));
   CHECK(bits.between == 9);
   CHECK(pipeline_registers(n, s, {{"tag", 5}}).carried == 8 * 5);
   CHECK(pipeline_registers(n, s, {{"b", 11}}).carried == 8 * 11);  // read at once, so nothing is held for the unit itself

@@ -77,9 +77,8 @@ VerilogModule keeper(const DatapathModule& module, int bits_of_phase) {
 }
 
 /// The datapath under the bench, a new cycle every clock: of an interval of several cycles the operands of the first count.
-void add(IcarusBench& bench, const std::string& scheme, const Netlist& netlist, const Schedule& schedule,
-         const OperatorLatencies& latencies, Random& random) {
-  const DatapathModule module = datapath_module(scheme, "unit", netlist, schedule, latencies);
+void add(IcarusBench& bench, const std::string& scheme, const Netlist& netlist, const Schedule& schedule, Random& random) {
+  const DatapathModule module = datapath_module(scheme, "unit", netlist, schedule);
   if (module.has_clock != (module.latency > 0) && module.initiation_interval == 1) return;  // nothing but constants at the outputs
   bench.add({module.name, module.text});
   for (const VerilogModule& leaf : module.leaves) bench.add(leaf);
@@ -115,7 +114,7 @@ TEST_CASE("the Verilog of random netlists gives the words of the fixed-point eva
   for (int i = 0; i < 60; ++i) {
     const Netlist netlist = random_netlist(random, random.integer(5, 40));
     const OperatorLatencies latencies = i % 4 == 0 ? OperatorLatencies{} : random_latencies(random);
-    add(bench, "random" + std::to_string(i), netlist, schedule(netlist, latencies), latencies, random);
+    add(bench, "random" + std::to_string(i), netlist, schedule(netlist, latencies), random);
   }
   CHECK(bench.mismatches() == "");
   if (is_there("verilator")) CHECK(lint(bench.modules()) == "");
@@ -133,7 +132,7 @@ TEST_CASE("with shared multipliers the Verilog of random netlists gives the same
     const Schedule scheduled = schedule(netlist, latencies, random.integer(1, 3));
     if (scheduled.initiation_interval == 1) continue;
     ++shared;
-    add(bench, "shared" + std::to_string(i), netlist, scheduled, latencies, random);
+    add(bench, "shared" + std::to_string(i), netlist, scheduled, random);
   }
   CHECK(shared > 20);
   CHECK(bench.mismatches() == "");
@@ -144,8 +143,7 @@ TEST_CASE("a word that is read late goes on as the parts that are read, when tho
   const Wire wide = n.input("wide", sfixed(12, 10)), other = n.input("other", sfixed(12, 10));
   const Wire sum = n.add("sum", wide, other, sfixed(12, 10)), twice = n.add("twice", sum, sum, sfixed(12, 10));
   n.output("y", n.select("y", n.is_negative("sign", wide), twice, sum, sfixed(12, 10)));
-  const OperatorLatencies latencies;
-  const DatapathModule module = datapath_module("parts", "unit", n, schedule(n, latencies), latencies);
+  const DatapathModule module = datapath_module("parts", "unit", n, schedule(n, OperatorLatencies{}));
   // sign over two edges, sum in cycles 1 and 2, twice in cycle 2
   CHECK(module.register_bits == 2 * 1 + 2 * 12 + 12);
   CHECK_THAT(module.text, Contains("reg [0:0] sign_c1;") && Contains("reg [0:0] sign_c2;") && !Contains("wide_c1"));
@@ -155,6 +153,6 @@ TEST_CASE("operators of constants alone are named as such") {
   Netlist n("unit");
   const Wire two = n.constant("two", 2, ufixed(4, 0));
   n.output("y", n.add("y", n.input("x", ufixed(4, 0)), n.mul("four", two, two, ufixed(4, 0)), ufixed(5, 0)));
-  const DatapathModule module = datapath_module("folded", "unit", n, schedule(n, OperatorLatencies{}), OperatorLatencies{});
+  const DatapathModule module = datapath_module("folded", "unit", n, schedule(n, OperatorLatencies{}));
   CHECK(module.folded == std::vector<std::string>{"four"});
 }
