@@ -142,7 +142,7 @@ compare() {
   check $status "result.json, all but the host's part: $(stat -c %s "$work/model.json") bytes"
 }
 
-"$build/bumpsim" rtl "$scheme" "${arguments[@]}" --vectors 2 --out "$work/rtl" >"$work/rtl.log"
+"$build/bumpsim" rtl "$scheme" --scene "$scene" "${arguments[@]}" --vectors 2 --out "$work/rtl" >"$work/rtl.log"
 cd "$work/rtl"  # ROM images are read from here
 "$cosimulate" plan "$scene" "$scheme" "${arguments[@]}" --rtl "$work/rtl" >"$work/plan"
 translate_runtime

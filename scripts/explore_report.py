@@ -6,6 +6,8 @@ import json
 import pathlib
 import sys
 
+from explore_gates import Gates
+
 TARGETS = (30, 40, 48)
 OTHER_SCENES = ("brick_torus", "bunny")
 LIMITS = (1, 2, 4)
@@ -86,6 +88,7 @@ def report(work):
     rows = [row for row in fits(work) if row["scheme"] not in WITHOUT_BUMPS]
     others, limited = points(work / "others" / "points.jsonl"), points(work / "limited" / "points.jsonl")
     area, energy = rows[0]["prices"]["area"], rows[0]["prices"]["energy"]
+    gates = Gates(work)
 
     # Points come in the order of the specification.
     place = {key_of(row): i for i, row in enumerate(distinct(fits(work)))}
@@ -114,8 +117,9 @@ def report(work):
     headline(rows, held)
     for target in TARGETS:
         print(f"## At {target} dB\n")
-        print("| scheme | PSNR, worst of three | brick_torus | bunny | multipliers | adders | table KB | area | energy | fragments a cycle with 1, 2, 4 multipliers a unit |")
-        print("|--|--:|--:|--:|--:|--:|--:|--:|--:|--|")
+        measured, rule = ("synthesised area | energy of the cells | ", "--:|--:|") if gates.any() else ("", "")
+        print(f"| scheme | PSNR, worst of three | brick_torus | bunny | multipliers | adders | table KB | area | energy | {measured}fragments a cycle with 1, 2, 4 multipliers a unit |")
+        print(f"|--|--:|--:|--:|--:|--:|--:|--:|--:|{rule}--|")
         of_target = [row for row in rows if row["psnr_target_db"] == target]
         reached = sorted((row for row in of_target if row["status"] == "reached"), key=lambda row: row["area_nand2"] or 1e99)
         missed = sorted((row for row in of_target if row["status"] != "reached"), key=lambda row: -row["psnr_worst_db"])
@@ -124,12 +128,14 @@ def report(work):
             short = " (not reached)" if row["status"] != "reached" else " (bound)" if row["upper_bound"] else ""
             print(f"| {name(row)} | {row['psnr_worst_db']:.1f}{short} | {number(held(row, 'brick_torus'), 1)} | {number(held(row, 'bunny'), 1)} "
                   f"| {row['multipliers']} | {row['adders']} | {row['table_kilobytes']:.2f} | {number(row['area_nand2'], 0)} "
-                  f"| {number(row['energy_pj_per_fragment'], 1)} | {rates} |")
+                  f"| {number(row['energy_pj_per_fragment'], 1)} | {''.join(number(figure, 0) + ' | ' for figure in gates.of(row)) if gates.any() else ''}{rates} |")
         print()
         for row in missed:
             print(f"* {name(row)}: not reached by {of_structures(row)}.")
         print()
     print("Fragments a cycle are those of world_sphere with the default FIFOs, vertex processor and memory, which allow 0.75 to 0.83 without a limit.\n")
+    if gates.any():
+        print(gates.section())
     print("## Fronts\n")
     for which, text in (("area", "area"), ("energy", "energy"), ("tables", "table KB"), ("multipliers", "multiplier cells, the sum over multipliers of the product of their operands' widths")):
         print(f"{text[0].upper() + text[1:]} against PSNR:\n\n![{text} against PSNR](pictures/pareto-{which}.svg)\n")

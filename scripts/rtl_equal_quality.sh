@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Schemes at equal picture quality in gates: designs that `bumpsim fit` found, synthesised with their tables into 0.18 um cells, with the
-# energy of the mapped netlists. Figures go to build/rtl/equal_quality.json; scripts/rtl_report.py puts them into reports/rtl.md.
-#   scripts/rtl_equal_quality.sh                       # Lee 2007, four forms of Peercy 1997, lns and n2l; makes their fits itself
-#   scripts/rtl_equal_quality.sh --fits build/explore  # all schemes, from EXPLORE_WORK=build/explore scripts/explore.sh
+# Schemes at equal picture quality in gates: the designs that scripts/explore.sh found, and Lee 2007 and four forms of the conventional
+# method in the structures of the papers, synthesised with their tables into 0.18 um cells, with the energy of the mapped netlists. About
+# forty minutes on two idle cores.
+#   EXPLORE_WORK=build/explore scripts/explore.sh                               # the fits, and the report without gates
+#   scripts/rtl_equal_quality.sh --fits build/explore                           # writes build/explore/equal_quality.json
+#   scripts/explore_report.py report build/explore >reports/pareto.md           # the report with gates
 #   scripts/rtl_equal_quality.sh --fits build/explore --schemes lee2007,peercy1997 --targets 40 --no-energy
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

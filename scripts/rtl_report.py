@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes reports/rtl.md from the figures of scripts/check_rtl.sh and scripts/rtl_equal_quality.sh: rtl_report.py [WORK [REPORT]]."""
+"""Writes reports/rtl.md from the figures of scripts/check_rtl.sh: rtl_report.py [WORK [REPORT]]."""
 
 import json
 import pathlib
@@ -248,69 +248,6 @@ MEANING = {
     "place_route": "placed and routed, or too large", "cycles": "the same picture and cycles with the Verilog in place of the models"}
 
 
-def structure_of(design):
-    """As published where nothing is said; the options that make it another design otherwise."""
-    return " ".join(f"{key.split('.')[-1]}={value}" for key, value in sorted(design["structure"].items()))
-
-
-def equal_quality(document):
-    """The section on designs of equal quality, and what each saves against the conventional method."""
-    designs = document["designs"]
-    for design in designs:
-        design["gates"] = sum(design["synthesised"].values())
-        design["model"] = sum(design["priced"].values())
-    out = ["## Equal quality in gates\n\nDesigns that `bumpsim fit` found for a PSNR on the worst of plane, cube and sphere, synthesised "
-           f"as above. Energy: Icarus Verilog runs the mapped netlists, tables as gates, with the cells' delays over {document['cycles']} "
-           "random vectors (whose results are compared, too), and OpenSTA takes the changes of every net. Clock tree, wires, queues, "
-           "interpolators and texture are in no figure; random words change more often than those of neighbouring pixels, so energies are "
-           "to be compared with one another only. (R) in part a reconstruction.\n"]
-    with_energy = any("energy_pj" in design for design in designs)
-    for target in sorted({target for design in designs for target in design["targets"]}):
-        rows = []
-        chosen = [d for d in designs if target in d["targets"]]
-        for d in sorted(chosen, key=lambda d: d["gates"]):
-            row = [f"{d['scheme']}{' (R)' if d['reconstruction'] else ''} {structure_of(d)}".strip(), f"{d['psnr_worst_db']:.1f}",
-                   d["multipliers"], d["dividers"], *(f"{d['synthesised'][part]:.0f}" for part in PARTS[:3]), f"{d['gates']:.0f}",
-                   percent(d["model"] / d["gates"] - 1)]
-            if with_energy:
-                clocked = d["energy_clocked_pj"] / d["energy_pj"]
-                row += [f"{d['energy_pj']:.0f}", f"{100 * clocked:.0f} %", f"{d['fit_energy_pj']:.1f}"]
-            rows.append(row)
-        head = ["design", "PSNR, dB", "multipliers", "dividers", "operators", "registers", "tables", "NAND2", "price table"]
-        head += ["pJ a fragment", "of which flip-flops", "pJ by horowitz45"] if with_energy else []
-        out.append(f"### At {target} dB\n\n" + table(head, rows))
-        out += comparison(chosen, with_energy)
-    if document["left_out"]:
-        out.append(f"Not synthesised, being above {document['largest'] / 1000:.0f} k NAND2 by the price table: "
-                   f"{', '.join(document['left_out'])}.\n")
-    return "\n".join(out)
-
-
-def comparison(chosen, with_energy):
-    """What Lee 2007 and the schemes that need no multiplier for the environment save against each form of the conventional method."""
-    baselines = sorted((d for d in chosen if d["scheme"] == "peercy1997" and d["baseline"]), key=lambda d: -d["gates"])
-    rows = []
-    for design in chosen:
-        if design["scheme"] == "peercy1997" or not design["baseline"]:
-            continue
-        for baseline in baselines:
-            row = [design["scheme"], structure_of(baseline)]
-            for part in ("environment", None):
-                for figure in ("multipliers", "gates", "energy_pj")[:3 if with_energy else 2]:
-                    row.append(percent(figure_of(design, part, figure) / figure_of(baseline, part, figure) - 1))
-            rows.append(row)
-    if not rows:
-        return []
-    figures = ("multipliers", "gates", "energy")[:3 if with_energy else 2]
-    head = ["design", "against peercy1997", *(f"{part}{figure}" for part in ("environment: ", "all: ") for figure in figures)]
-    return [table(head, rows, 2)]
-
-
-def figure_of(design, unit, figure):
-    """Of one unit, or of all with None."""
-    return design["units"][unit][figure] if unit else sum(u[figure] for u in design["units"].values())
-
-
 def saving(results):
     """Lee 2007 against the conventional method at equal words, where the number of multiplications says 78 %."""
     at = {}
@@ -332,7 +269,7 @@ def saving(results):
             "both units: all, with tables")
     return ("## 78 % fewer multiplications, in gates\n\nThe environment unit of Lee 2007 multiplies 6 times where the conventional one does "
             "27 times: 78 % fewer. NAND2 of the areas above, at equal words, per-pixel transform and array dividers:\n\n"
-            + table(head, rows))
+            + table(head, rows) + "\nAt equal quality, with energy: [pareto.md](pareto.md#in-gates).\n")
 
 
 def main(argv):
@@ -347,8 +284,6 @@ def main(argv):
     for part in (report.head, report.bit_exact, report.counts, report.dsp, report.area, report.clock, report.place, report.cycles):
         part()
     report.add(saving(report.results))
-    if (work / "equal_quality.json").exists():
-        report.add(equal_quality(json.loads((work / "equal_quality.json").read_text())))
     target.write_text("\n".join(report.text))
     print(f"{target} is up to date")
     return 0

@@ -8,7 +8,6 @@ import pathlib
 import re
 import signal
 import sys
-import threading
 import time
 
 import area
@@ -44,7 +43,11 @@ class Plan:
         return self.program.work / "logs" / check / f"{scheme}-{unit or 'all'}.log"
 
     def add(self, weight, check, scheme, unit, work):
-        self.tasks.append((weight, check, scheme, unit, work))
+        self.tasks.append((weight, lambda: self.attempt(check, scheme, unit, work)))
+
+    def add_chain(self, weight, check, schemes, work):
+        """As add() for each scheme, one after the other."""
+        self.tasks.append((weight, lambda: [self.attempt(check, scheme, "all", lambda: work(scheme)) for scheme in schemes]))
 
     def does(self, sample, scheme):
         """Schemes that are asked for by name are no sample."""
@@ -112,21 +115,21 @@ class Plan:
                     found += clock.check_unit(scheme, unit, width, figures, self.log(f"clock-{width}", scheme, unit["unit"]))
         return found
 
+    def attempt(self, check, scheme, unit, task):
+        """A task that fails is a line, not the end."""
+        needed = tools.missing(*CHECKS.get(check, ()))
+        if needed:
+            self.results.add([Check(SKIPPED, check, scheme, unit, f"no {needed}")])
+            return
+        try:
+            self.results.add(task())
+        except (tools.ToolFailed, ProgramFailed, OSError, KeyError, ValueError, IndexError) as error:
+            self.results.add([Check(FAILED, check, scheme, unit, f"{type(error).__name__}: {error}")])
+
     def run(self):
-        """Two tasks at a time on two cores; a task that fails is a line, not the end."""
-
-        def work(check, scheme, unit, task):
-            needed = tools.missing(*CHECKS.get(check, ()))
-            if needed:
-                self.results.add([Check(SKIPPED, check, scheme, unit, f"no {needed}")])
-                return
-            try:
-                self.results.add(task())
-            except (tools.ToolFailed, ProgramFailed, OSError, KeyError, ValueError, IndexError) as error:
-                self.results.add([Check(FAILED, check, scheme, unit, f"{type(error).__name__}: {error}")])
-
+        """Two tasks at a time on two cores."""
         with concurrent.futures.ThreadPoolExecutor(self.arguments.jobs) as pool:
-            futures = [pool.submit(work, *task) for _, *task in sorted(self.tasks, key=lambda task: -task[0])]
+            futures = [pool.submit(task) for _, task in sorted(self.tasks, key=lambda task: -task[0])]
             try:
                 for future in futures:
                     future.result()
@@ -140,12 +143,11 @@ class Plan:
 def cycles(plan, schemes):
     """The emitted units inside the SystemC pipeline, by a script of its own; one at a time, since each builds what it needs first."""
     script = pathlib.Path(__file__).resolve().parent.parent / "cosimulate.sh"
-    chosen, alone = SETTINGS["cycles"], threading.Lock()
+    chosen = SETTINGS["cycles"]
 
     def work(scheme):
-        with alone:
-            text = tools.run([str(script), scheme, chosen["scene"], "--size", str(chosen["size"])], plan.log("cycles", scheme),
-                             environment={"BUILD": str(pathlib.Path(plan.program.path).parent)})
+        text = tools.run([str(script), scheme, chosen["scene"], "--size", str(chosen["size"])], plan.log("cycles", scheme),
+                         environment={"BUILD": str(pathlib.Path(plan.program.path).parent)})
         said = re.search(r"cycles: (\d+) with models, (\d+) with Verilog", text)
         summary = re.search(r"(\d+) passed, (\d+) failed", text)
         good = said and summary and said[1] == said[2] and summary[2] == "0"
@@ -154,9 +156,7 @@ def cycles(plan, schemes):
             detail = f"{chosen['scene']}, {chosen['size']} x {chosen['size']}: {said[0]}; {summary[0]}"
         return [Check(OK if good else FAILED, "cycles", scheme, "all", detail, {"detail": detail})]
 
-    for scheme in schemes:
-        if plan.does("cycles", scheme):
-            plan.add(20, "cycles", scheme, "all", lambda scheme=scheme: work(scheme))
+    plan.add_chain(20, "cycles", [scheme for scheme in schemes if plan.does("cycles", scheme)], work)
 
 
 def parse(argv):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Designs of equal picture quality in gates: what scripts/rtl_equal_quality.sh runs. For the designs that `bumpsim fit` found at each
 target it synthesises the datapaths and their tables into 0.18 um cells and measures their energy, beside what the table of prices says of
-the same hardware. Figures go to <work>/equal_quality.json, for scripts/rtl_report.py."""
+the same hardware. Figures go to <fits>/equal_quality.json, for scripts/explore_report.py."""
 
 import argparse
 import concurrent.futures
@@ -18,23 +18,22 @@ from emission import Program, ProgramFailed
 
 SCENES = ("wood_plane", "brick_cube", "world_sphere")
 CEILING = 23  # dB, what Lee 2007 reaches on the worst scene with any words
-# As published, in place of the structure that a search would choose: Lee 2007, and what its "78 % fewer multiplications" may be held
+# In the structure as published, where a search would choose another: Lee 2007, and what its "78 % fewer multiplications" may be held
 # against.
 BASELINES = [("lee2007", {})] + [("peercy1997", {"peercy1997.transform": transform, "peercy1997.normaliser": normaliser})
                                  for transform in ("pixel", "vertex") for normaliser in ("divider", "table")]
-OWN = [("lns", {}), ("n2l", {})]
+OWN = [("tl0", {}), ("lns", {}), ("n2l", {})]  # beside them at the ceiling, for which nothing else is fitted
 
 
 def pairs(text):
     return dict(pair.split("=", 1) for pair in (text or "").split())
 
 
-def fit_baselines(program, targets, others):
-    """Fits what every comparison needs and is not there yet, into <work>/fits."""
-    folder = program.work / "fits"
+def fit_baselines(program, folder, targets):
+    """Fits what every comparison needs and is not there yet."""
     folder.mkdir(parents=True, exist_ok=True)
     for target in targets:
-        for scheme, settings in BASELINES + ([] if others and target != CEILING else OWN):
+        for scheme, settings in BASELINES + (OWN if target == CEILING else []):
             if scheme == "lee2007" and target > CEILING:
                 continue
             words = [scheme] + [value for value in settings.values()]
@@ -45,7 +44,6 @@ def fit_baselines(program, targets, others):
             sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
             program.run("fit", *SCENES, "--scheme", scheme, "--psnr", str(target), "--structure", "keep", "--cost", "area",
                         "--prices", "osu018_model", "--prices", "horowitz45", *sets, "--json", "--out", str(out))
-    return folder
 
 
 def designs(folders, targets, largest):
@@ -64,7 +62,8 @@ def designs(folders, targets, largest):
                 left_out.add(f"{row['scheme']} at {target} dB")
                 continue
             design = found.setdefault((row["scheme"], tuple(sorted(settings.items()))), {
-                "scheme": row["scheme"], "settings": settings, "structure": structure, "targets": [], "baseline": path.parent == folders[0],
+                "scheme": row["scheme"], "settings": settings, "structure": structure, "widths": row["widths"], "targets": [],
+                "baseline": path.parent == folders[0],
                 "psnr_worst_db": row["psnr_worst_db"], "multipliers": row["multipliers"], "adders": row["adders"],
                 "dividers": row["dividers"], "table_kilobytes": row["table_kilobytes"], "reconstruction": row["reconstruction"],
                 "fit_area_nand2": row["area_nand2"],
@@ -111,9 +110,8 @@ class Gates:
 
 def main(argv):
     parser = argparse.ArgumentParser(prog="rtl_equal_quality.sh", description=__doc__)
-    parser.add_argument("--fits", type=pathlib.Path, help="folder with the fits of other schemes, fit-<target>*.json, as "
-                                                          "scripts/explore.sh leaves "
-                        "it in $EXPLORE_WORK (default: lns and n2l beside the baselines)")
+    parser.add_argument("--fits", type=pathlib.Path, required=True, help="folder that scripts/explore.sh left its fits in "
+                                                                          "($EXPLORE_WORK); those of the baselines are added")
     parser.add_argument("--program", default="build/bumpsim")
     parser.add_argument("--work", default="build/rtl")
     parser.add_argument("--targets", default="23,30,40,48", help="dB (default: 23,30,40,48)")
@@ -129,8 +127,13 @@ def main(argv):
         return 2
     program = Program(pathlib.Path(arguments.program).resolve(), pathlib.Path(arguments.work).resolve())
     targets = [int(target) for target in arguments.targets.split(",")]
-    folders = [fit_baselines(program, targets, arguments.fits)] + ([arguments.fits] if arguments.fits else [])
-    found, left_out = designs(folders, targets, arguments.largest)
+    if not any(arguments.fits.glob("fit-*.json")):
+        print(f"rtl_equal_quality.sh: no fits in {arguments.fits}; EXPLORE_WORK={arguments.fits} scripts/explore.sh makes them",
+              file=sys.stderr)
+        return 2
+    baselines = arguments.fits / "baselines"
+    fit_baselines(program, baselines, targets)
+    found, left_out = designs([baselines, arguments.fits], targets, arguments.largest)
     if arguments.schemes != "all":
         found = [design for design in found if design["scheme"] in arguments.schemes.split(",")]
     if not found:
@@ -154,7 +157,7 @@ def main(argv):
             tools.stop_all()
             raise
     document = {"designs": results, "left_out": left_out, "largest": arguments.largest, "tools": tools.versions(), "cycles": power.CYCLES}
-    (program.work / "equal_quality.json").write_text(json.dumps(document, indent=1) + "\n")
+    (arguments.fits / "equal_quality.json").write_text(json.dumps(document, indent=1) + "\n")
     print(f"{len(results)} designs measured, {failed} failed")
     return 1 if failed else 0
 

@@ -14,10 +14,15 @@ LIBERTY = pathlib.Path("/usr/share/qflow/tech/osu018/osu018_stdcells.lib")
 
 _running = set()
 _running_lock = threading.Lock()
+_stopped = threading.Event()
 
 
 class ToolFailed(Exception):
     """A program ended with an error, or said one although it did not."""
+
+
+class Stopped(BaseException):
+    """Nothing more is run, and what ran says nothing about what it checked."""
 
 
 def has(tool):
@@ -30,7 +35,8 @@ def missing(*tools):
 
 
 def stop_all():
-    """Ends what run() started, with everything that it started itself."""
+    """Ends what run() started, with everything that it started itself; from now on run() raises Stopped."""
+    _stopped.set()
     with _running_lock:
         for pid in _running:
             os.killpg(pid, signal.SIGKILL)
@@ -38,6 +44,8 @@ def stop_all():
 
 def run(command, log, cwd=None, timeout=1800, environment=None):
     """Runs a program; everything it says goes to the file `log` and is returned. Raises ToolFailed on any exit code but 0."""
+    if _stopped.is_set():
+        raise Stopped
     log = pathlib.Path(log)
     log.parent.mkdir(parents=True, exist_ok=True)
     with open(log, "w") as file:
@@ -54,6 +62,8 @@ def run(command, log, cwd=None, timeout=1800, environment=None):
         finally:
             with _running_lock:
                 _running.discard(process.pid)
+    if _stopped.is_set():
+        raise Stopped
     text = log.read_text(errors="replace")
     if code != 0:
         lines = [line for line in text.splitlines() if line.strip()]

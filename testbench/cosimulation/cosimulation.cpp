@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "datapath/invariant.h"
+#include "testbench/scene/only_material.h"
 
 namespace bump {
 
@@ -11,12 +12,7 @@ void check_cosimulation(const Scene& scene, const Scheme& scheme, const Configur
   if (configuration.choice("numeric") == "double")
     throw Error({"double precision has no hardware", configuration.entries().at("numeric").origin,
                  "Verilog is made of the fixed-point datapaths", "numeric=fixed"});
-  if (scene.objects.empty()) throw Error({"the scene has no object", {}, "no fragment would reach the units", ""});
-  const Material& material = scene.objects.front().material;
-  for (const SceneObject& object : scene.objects)
-    if (!(object.material == material))
-      throw Error(
-          {"the objects of the scene are of several materials", {}, "an emitted unit holds the tables of one", "one material for all"});
+  const Material& material = only_material(scene);
   if (scene.lights.size() > 1 && !scheme.design(configuration, material).light_maps)
     throw Error({"the scene has " + std::to_string(scene.lights.size()) + " lights",
                  {},

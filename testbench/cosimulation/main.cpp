@@ -39,7 +39,7 @@ int plan(const Arguments& arguments) {
   const Configuration configuration = configure(arguments.files, arguments.settings);
   const Scene scene = read_scene(scene_path(arguments.scene));
   const std::vector<PlannedUnit> units = plan_units(scene, find_scheme(arguments.scheme), configuration);
-  for (const std::string& path : fit_to_material(units, arguments.rtl)) fmt::print(stderr, "of the scene's material: {}\n", path);
+  check_emitted(units, arguments.rtl);
   for (const PlannedUnit& unit : units) {
     write_output_file(arguments.rtl + "/cosimulation/" + unit.unit + "_ports.h", unit.ports, true);
     fmt::print("{} {} {} {}\n", unit.unit, unit.top, unit.capacity, unit.tail);
@@ -99,7 +99,7 @@ int cosimulate(int argc, char* argv[]) {
     command->callback([&chosen, &arguments, action] { chosen = [&arguments, action] { return action(arguments); }; });
     return command;
   };
-  add("plan", "say how to translate the units, and bring their tables to the scene's material", plan)
+  add("plan", "say how to translate emitted units for a scene", plan)
       ->add_option("--rtl", arguments.rtl, "folder that `bumpsim rtl` has written")
       ->required()
       ->type_name("DIR");

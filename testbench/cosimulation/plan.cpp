@@ -11,7 +11,7 @@
 #include "rtl/unit_module.h"
 #include "system/pipeline_timing.h"
 #include "testbench/cosimulation/cosimulation.h"
-#include "testbench/results/output_file.h"
+#include "testbench/scene/only_material.h"
 #include "units/colour_unit.h"
 
 namespace bump {
@@ -31,10 +31,6 @@ std::string ports_header(const RtlUnit& unit) {
                      macro("UNIT_OPERANDS", unit.inputs, "in_"), macro("UNIT_RESULTS", unit.outputs, "out_"));
 }
 
-std::string wrapper_path(const PlannedUnit& unit) {
-  return "rtl/" + unit.top + ".v";
-}
-
 PlannedUnit plan_unit(const std::string& scheme, const Netlist& netlist, const Schedule& schedule, const StageSpec& stage,
                       const Configuration& configuration) {
   const DatapathModule datapath = datapath_module(scheme, stage.name, netlist, schedule);
@@ -47,7 +43,7 @@ PlannedUnit plan_unit(const std::string& scheme, const Netlist& netlist, const S
   BUMP_ASSERT(unit.tail >= 0);
   unit.ports = ports_header(wrapper);
   unit.files = datapath.roms;
-  unit.files[wrapper_path(unit)] = wrapper.module.text;
+  unit.files["rtl/" + unit.top + ".v"] = wrapper.module.text;
   unit.files["rtl/" + datapath.name + ".v"] = datapath.text;
   for (const VerilogModule& leaf : datapath.leaves) unit.files["rtl/" + leaf.name + ".v"] = leaf.text;
   return unit;
@@ -63,7 +59,7 @@ std::optional<std::string> text_of_file(const fs::path& path) {
 
 std::vector<PlannedUnit> plan_units(const Scene& scene, const Scheme& scheme, const Configuration& configuration) {
   check_cosimulation(scene, scheme, configuration);
-  const Material& material = scene.objects.front().material;
+  const Material& material = only_material(scene);
   const Design design = scheme.design(configuration, material);
   const Netlist colour = colour_netlist(scene, material, ColourUnitConfig(configuration),
                                         design.light_maps ? LightSum::in_light_maps : LightSum::in_colour_unit);
@@ -78,23 +74,17 @@ std::vector<PlannedUnit> plan_units(const Scene& scene, const Scheme& scheme, co
   return units;
 }
 
-std::vector<std::string> fit_to_material(const std::vector<PlannedUnit>& units, const std::string& folder) {
-  std::vector<std::string> replaced;
-  for (const PlannedUnit& unit : units) {
+void check_emitted(const std::vector<PlannedUnit>& units, const std::string& folder) {
+  for (const PlannedUnit& unit : units)
     for (const auto& [path, text] : unit.files) {
       const fs::path file = fs::path(folder) / path;
       const std::optional<std::string> found = text_of_file(file);
-      if (!found || (path == wrapper_path(unit) && *found != text))
-        throw Error({"the folder holds other Verilog than this scheme and configuration have",
-                     {file.string()},
-                     found ? "the unit differs" : "the file is not there",
-                     "bumpsim rtl with the same scheme and --set"});
-      if (*found == text) continue;
-      write_output_file(file.string(), text, true);
-      replaced.push_back(path);
+      if (found == text) continue;
+      throw Error({"the folder holds other Verilog than this scheme, scene and configuration have",
+                   {file.string()},
+                   found ? "it differs" : "the file is not there",
+                   "bumpsim rtl with the same scheme, --scene and --set"});
     }
-  }
-  return replaced;
 }
 
 }  // namespace bump

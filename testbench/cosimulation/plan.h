@@ -25,8 +25,7 @@ struct PlannedUnit {
 /// Units without operands or results are wiring, and left out. Throws Error(input) like check_cosimulation().
 std::vector<PlannedUnit> plan_units(const Scene& scene, const Scheme& scheme, const Configuration& configuration);
 
-/// Brings an emitted folder to the scene's material: replaces the datapaths and ROM images that differ. The paths of those. Throws
-/// Error(input) if a file is not there, or a unit around a datapath is another than planned: emitted for another configuration.
-std::vector<std::string> fit_to_material(const std::vector<PlannedUnit>& units, const std::string& folder);
+/// Throws Error(input) if a file of the emitted folder is not there or another than planned: emitted for another configuration or material.
+void check_emitted(const std::vector<PlannedUnit>& units, const std::string& folder);
 
 }  // namespace bump

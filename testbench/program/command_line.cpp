@@ -293,6 +293,7 @@ int command_line(int argc, char* argv[]) {
   command->add_option("--unit", rtl.units, "environment, illumination, conversion or light_map_address; may be repeated (default: all that there are)")
       ->type_name("UNIT")
       ->allow_extra_args(false);
+  command->add_option("--scene", rtl.scene, "whose material the tables and constants have (default: the default material)")->type_name("SCENE");
   command->add_option("--vectors", rtl.vectors, "test vectors of each unit")->check(CLI::Range(2, 10000000))->capture_default_str()->type_name("N");
   command->add_option("--seed", rtl.seed, "of their random words")->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53))->capture_default_str()->type_name("S");
   command->add_option("--out", rtl.out, "folder to write; must not exist or be empty")->required()->type_name("DIR")->check(named());

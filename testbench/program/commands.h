@@ -171,6 +171,7 @@ int luts_command(const LutsArguments& arguments);
 
 struct RtlArguments {
   std::string scheme;
+  std::string scene;               ///< whose material; empty: the default material
   std::vector<std::string> units;  ///< none: all datapath units
   std::string out;                 ///< folder
   int vectors = 1000;              ///< of each unit

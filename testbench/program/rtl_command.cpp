@@ -7,6 +7,9 @@
 #include "testbench/program/interrupt.h"
 #include "testbench/program/rtl_folder.h"
 #include "testbench/program/rtl_manifest.h"
+#include "testbench/program/shipped_scenes.h"
+#include "testbench/scene/only_material.h"
+#include "testbench/scene/scene_file.h"
 
 namespace bump {
 
@@ -28,6 +31,10 @@ int rtl_command(const RtlArguments& arguments) {
   const Configuration configuration = configure(arguments.configuration_files, arguments.settings);
   EmissionOptions options;
   options.units = arguments.units;
+  if (!arguments.scene.empty()) {
+    options.scene = arguments.scene;
+    options.material = only_material(read_scene(scene_path(arguments.scene)));
+  }
   options.vectors = arguments.vectors;
   options.seed = arguments.seed;
   Emission emission = emit(find_scheme(arguments.scheme), configuration, options);

@@ -87,7 +87,7 @@ Emission emit(const Scheme& scheme, const Configuration& configuration, const Em
   if (configuration.choice("numeric") == "double")
     throw Error({"double precision has no hardware", configuration.entries().at("numeric").origin,
                  "Verilog is made of the fixed-point datapaths", "numeric=fixed"});
-  const Design design = scheme.design(configuration, Material{});
+  const Design design = scheme.design(configuration, options.material);
   Emission emission;
   emission.scheme = scheme.page().id;
   std::vector<RtlUnit> wrappers;

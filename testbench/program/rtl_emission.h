@@ -12,6 +12,7 @@
 #include "rtl/expected_cells.h"
 #include "rtl/unit_module.h"
 #include "schemes/scheme.h"
+#include "units/scene.h"
 
 namespace bump {
 
@@ -31,11 +32,13 @@ struct Emission {
 
 struct EmissionOptions {
   std::vector<std::string> units;  ///< by name; none: all datapath units of the scheme
+  std::string scene;               ///< whose material it is, as the user named it; empty: the default material
+  Material material;               ///< what tables and constants that follow the material hold
   int vectors = 1000;              ///< of each unit, >= 2
   std::uint64_t seed = 1;
 };
 
-/// Tables whose contents follow the material are those of the default material. Throws Error(input) for units that the scheme does not have
+/// Throws Error(input) for units that the scheme does not have
 /// or that are programs, and if the configuration asks for double precision.
 Emission emit(const Scheme& scheme, const Configuration& configuration, const EmissionOptions& options);
 

@@ -88,6 +88,7 @@ Json changes_of(const Configuration& configuration) {
 Json rtl_manifest(const Emission& emission, const Configuration& configuration, const EmissionOptions& options) {
   Json document = {{"schema", rtl_schema}, {"schema_version", schema_version}, {"version", version_text()}, {"scheme", emission.scheme}};
   document["configuration"] = changes_of(configuration);
+  document["scene"] = options.scene.empty() ? Json(nullptr) : Json(options.scene);
   document["vectors"] = options.vectors;
   document["seed"] = options.seed;
   document["units"] = Json::array();
@@ -111,7 +112,7 @@ std::string rtl_summary(const Emission& emission) {
 
 std::string rtl_readme(const Emission& emission, const Configuration& configuration, const EmissionOptions& options) {
   const Json changed = changes_of(configuration);
-  std::string changes;
+  std::string changes = options.scene.empty() ? "" : " --scene " + options.scene;
   for (const std::string& unit : options.units) changes += " --unit " + unit;
   for (const auto& [key, value] : changed.items())
     changes += fmt::format(" --set {}={}", key, to_string(configuration.entries().at(key).value));

@@ -8,8 +8,8 @@
 
 namespace bump {
 
-/// rtl.json: schema, version, scheme, what the configuration changes, and each unit's modules, ports, cycles, inventory, the cells that a
-/// synthesis tool must find, and register bits. Lists all files but itself.
+/// rtl.json: schema, version, scheme, what the configuration changes, the scene whose material it has (or null), and each unit's modules,
+/// ports, cycles, inventory, the cells that a synthesis tool must find, and register bits. Lists all files but itself.
 nlohmann::ordered_json rtl_manifest(const Emission& emission, const Configuration& configuration, const EmissionOptions& options);
 
 /// README.md of the folder.

@@ -51,21 +51,20 @@ TEST_CASE("the colour unit's cycles are the tail of the illumination unit, and c
   }
 }
 
-TEST_CASE("an emitted folder is brought to the scene's material, and one of another configuration is refused") {
+TEST_CASE("an emitted folder of another material or configuration is refused") {
   Scene scene = world();
   const Scheme& scheme = find_scheme("lee2007");
   const Configuration plain = configure({}, {});
   const Folder folder;
   for (const PlannedUnit& unit : plan_units(scene, scheme, plain))
     for (const auto& [path, text] : unit.files) write_output_file(folder.path + "/" + path, text, true);
-  CHECK(fit_to_material(plan_units(scene, scheme, plain), folder.path).empty());
+  CHECK_NOTHROW(check_emitted(plan_units(scene, scheme, plain), folder.path));
+  CHECK_THROWS_WITH(check_emitted(plan_units(scene, scheme, configure({}, {"environment.multipliers=2"})), folder.path),
+                    Contains("other Verilog") && Contains("lee2007_environment"));
+  CHECK_THROWS_WITH(check_emitted(plan_units(scene, scheme, plain), folder.path + "/nothing"), Contains("not there"));
   scene.objects.front().material.shininess += 3;
-  const auto units = plan_units(scene, scheme, plain);
-  CHECK(fit_to_material(units, folder.path) == std::vector<std::string>{"rom/lee2007_SPEC.hex"});
-  CHECK(fit_to_material(units, folder.path).empty());
-  CHECK_THROWS_WITH(fit_to_material(plan_units(scene, scheme, configure({}, {"environment.multipliers=2"})), folder.path),
-                    Contains("other Verilog") && Contains("lee2007_environment.v"));
-  CHECK_THROWS_WITH(fit_to_material(units, folder.path + "/nothing"), Contains("not there"));
+  CHECK_THROWS_WITH(check_emitted(plan_units(scene, scheme, plain), folder.path),
+                    Contains("rom/lee2007_SPEC.hex") && Contains("it differs"));
 }
 
 TEST_CASE("translated units that are not there are missed by name") {

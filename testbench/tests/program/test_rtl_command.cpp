@@ -93,6 +93,31 @@ TEST_CASE("units, sharing, capacity and vectors are as asked for") {
   CHECK(shared.at("rtl/lee2007_environment.v") == other.at("rtl/lee2007_environment.v"));
 }
 
+TEST_CASE("tables have the words of a scene's material") {
+  const TemporaryFolder folder;
+  const std::string object = "[[object]]\nshape = \"sphere\"\nmaterial = { shininess = ", end = " }\n";
+  const std::string head =
+      "[camera]\neye = [0.0, 0.0, 4.0]\ntarget = [0.0, 0.0, 0.0]\n[frame]\nwidth = 8\nheight = 8\n[[light]]\ntype = "
+      "\"directional\"\ndirection = [0.0, 0.0, 1.0]\n";
+  folder.write("shiny.toml", head + object + "60.0" + end);
+  folder.write("two.toml", head + object + "60.0" + end + object + "20.0" + end);
+  REQUIRE(bumpsim("rtl lee2007 --vectors 10 --out plain", folder.path()).code == 0);
+  const Outcome shiny = bumpsim("rtl lee2007 --vectors 10 --scene shiny.toml --out shiny", folder.path());
+  INFO(shiny.err);
+  REQUIRE(shiny.code == 0);
+  const auto first = files_of(folder.path() / "plain"), second = files_of(folder.path() / "shiny");
+  CHECK(first.at("rom/lee2007_SPEC.hex") != second.at("rom/lee2007_SPEC.hex"));
+  CHECK(first.at("rom/lee2007_SC.hex") == second.at("rom/lee2007_SC.hex"));
+  CHECK(Json::parse(first.at("rtl.json"))["scene"].is_null());
+  CHECK(Json::parse(second.at("rtl.json"))["scene"] == "shiny.toml");
+  CHECK_THAT(second.at("README.md"), Contains("`bumpsim rtl lee2007 --scene shiny.toml`"));
+  const Outcome two = bumpsim("rtl lee2007 --scene two.toml --out two", folder.path());
+  CHECK(two.code == 2);
+  CHECK_THAT(two.err, Contains("several materials"));
+  CHECK(bumpsim("rtl lee2007 --scene three.toml --out three", folder.path()).code == 2);
+  CHECK_FALSE(fs::exists(folder.path() / "two"));
+}
+
 TEST_CASE("other people's tools agree with what was written, and say so when they do not") {
   const TemporaryFolder folder;
   REQUIRE(bumpsim("rtl lee2007 --out rtl --vectors 100 --set environment.multipliers=4", folder.path()).code == 0);
@@ -176,6 +201,17 @@ TEST_CASE("a target whose tool is missing says which") {
                                        .c_str());
     CHECK(WEXITSTATUS(status) != 0);
     CHECK_THAT(read_file(said), Contains(std::string(tool) + " is not installed"));
+  }
+}
+
+TEST_CASE("a unit that does not become Verilog is refused with those that do") {
+  const TemporaryFolder folder;
+  for (const char* unit : {"nonsense", "vertex"}) {
+    CAPTURE(unit);
+    const Outcome refused = bumpsim(std::string("rtl lee2007 --out rtl --unit ") + unit, folder.path());
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, Contains("try: environment, illumination\n"));
+    CHECK_FALSE(fs::exists(folder.path() / "rtl"));
   }
 }
 
