@@ -5,7 +5,7 @@
 #   scripts/cosimulate.sh SCHEME SCENE [--size N] [--self-test] [--set KEY=VALUE]... [--config FILE]...
 #
 # --size draws N x N pixels instead of what the scene file says. --self-test breaks the Verilog in three ways as well and expects to notice.
-# WORK=DIR keeps what is built and written in DIR, BUILD=DIR uses that build folder.
+# WORK=DIR keeps what is built and written in DIR, BUILD=DIR uses that build folder, NO_INSTALL=1 takes it as it is and installs nothing.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -38,11 +38,13 @@ else
   trap 'rm -rf "$work"' EXIT
 fi
 cd "$root"
-. scripts/packages.sh
-install_packages "${build_packages[@]}" make verilator
 build=${BUILD:-build}
-build_in "$build" bumpsim
-build_in "$build" cosimulate
+if [ -z "${NO_INSTALL:-}" ]; then
+  . scripts/packages.sh
+  install_packages "${build_packages[@]}" make verilator
+  build_in "$build" bumpsim
+  build_in "$build" cosimulate
+fi
 build=$(realpath -- "$build")
 cosimulate=$build/testbench/cosimulation/cosimulate
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Writes reports/rtl.md from the figures of scripts/check_rtl.sh: rtl_report.py [WORK [REPORT]]."""
+"""Writes reports/rtl.md from the figures of scripts/check_rtl.sh."""
 
+import argparse
 import json
 import pathlib
 import sys
@@ -57,13 +58,18 @@ class Report:
         absent = [title for check, title in CHECKS.items() if check not in self.results["checks_run"]]
         if absent:
             self.add(f"**Not all of it: the run had no {', '.join(absent)}.**")
+        reused, made = self.results["taken_from_earlier_runs"], self.results["synthesised"]
+        if reused:
+            self.add(f"{reused} of the {reused + made} syntheses for areas and clocks are those of earlier runs, of the same Verilog with the "
+                     "same tools and cells.")
         if not self.results["full"]:
             ran = {"placed and routed": {c["scheme"] for c in self.of("place_route")},
                    "also checked with two shared multipliers": {c["scheme"] for c in self.of("bit_exact") if c["data"].get("settings")},
                    "run in the pipeline": {c["scheme"] for c in self.of("cycles")}}
             samples = [f"words of areas and clocks: {', '.join(map(str, self.results['widths']))} bits"]
             samples += [f"{what}: {', '.join(sorted(schemes))}" for what, schemes in ran.items() if schemes]
-            self.add("Samples. " + "; ".join(samples) + ". Everything else is of every scheme. `scripts/check_rtl.sh --full` leaves nothing out.")
+            self.add("Samples. " + "; ".join(samples) + ". Everything else is of every scheme. `scripts/check_rtl.sh --full` leaves nothing "
+                     "out.")
         rows = []
         for name in sorted(self.checks):
             states = [check["status"] for check in self.checks[name]]
@@ -81,8 +87,9 @@ class Report:
         self.add(f"## Bit-exact, with stalls\n\nVerilator's models against the fixed-point evaluation: {total:,} vectors, {wrong} "
                  "mismatches. A quarter of the vectors are corner words (0, 1, -1, extremes, single bits), the others uniformly random "
                  "over the whole word. Every vector is sent twice: without a pause, where the first latency and the interval are read "
-                 "off, and with random pauses on both sides; in every cycle `in_ready`, `out_valid` and the words must be what the "
-                 "recurrences of the stage say.")
+                 "off, and with random pauses on both sides; then some again between resets in the middle. In every cycle `in_ready`, "
+                 "`out_valid` and the words must be what the recurrences of the stage say. The test benches do the same in Icarus Verilog "
+                 "with some hundred vectors, and Verilator's lint has nothing to say of any module (`benches`).")
         rows = {}
         for check in checks:
             shared = bool(check["data"]["settings"])
@@ -98,11 +105,11 @@ class Report:
     def counts(self):
         if not self.of("operators"):
             return
-        registers = {(c["scheme"], c["unit"]): c["data"] for c in self.of("registers") if c["data"]}
+        registers = {(c["scheme"], c["unit"]): c["data"] for c in self.of("registers") if c["data"] and "settings" not in c["data"]}
         rows, notes = [], []
         for check in self.of("operators"):
             found = check["data"].get("found")
-            if not found:
+            if not found or "settings" in check["data"]:
                 continue
             bits = registers.get((check["scheme"], check["unit"]), {})
             kinds = ("multipliers", "adders", "dividers", "square_roots", "tables")
@@ -113,12 +120,13 @@ class Report:
                 notes.append(f"* {check['scheme']}, {check['unit']}: {', '.join(check['data']['folded'])} has only constants as operands; "
                              "it is counted as the paper counts it, and no hardware is emitted for it")
         for check in self.of("registers"):
-            if check["data"] and check["data"]["after_opt"] != check["data"]["bits"]:
+            if check["data"] and "settings" not in check["data"] and check["data"]["after_opt"] != check["data"]["bits"]:
                 notes.append(f"* {check['scheme']}, {check['unit']}: {check['data']['after_opt']} of {check['data']['bits']} register bits "
                              "are left, the others hold constants or the same as another")
         self.add("## Counts\n\nCells that Yosys finds before it maps anything (`read_verilog; hierarchy; proc; memory -nomap`), dividers, "
-                 "roots and ROMs being modules of their own. They are what the inventory says, unit by unit; a row that differs would be "
-                 "among the failures above. Registers are those of the pipeline, between operators and inside those of several cycles.")
+                 "roots and ROMs being modules of their own. They are what the inventory says, unit by unit and in all "
+                 "(`operators_all`), also with multipliers shared; no operator is anywhere else; a row that differs would be among the "
+                 "failures above. Registers are those of the pipeline, between operators and inside those of several cycles.")
         self.add(table(("scheme", "unit", "multipliers", "adders", "dividers", "square roots", "tables", "register bits"), rows, 2))
         if notes:
             self.add("What `opt` takes away, being redundant for the constants or the structure of the unit:\n\n" + "\n".join(notes))
@@ -174,11 +182,9 @@ class Report:
                 lines.append(f"* {scheme} is apart, operators {', '.join(spans)}: {exception['reason']}.")
         self.add("Error of the table of prices against synthesis:\n\n" + "\n".join(lines))
         if logic:
-            self.add("The table says of itself that operators and registers come out 4 to 20 % above synthesis, and tables within a fifth. "
-                     f"Of {len(logic)} designs here {sum(0.04 <= error <= 0.20 for error in logic)} lie within 4 to 20 %, the median is "
-                     f"{percent(logic[len(logic) // 2])}; what is above is mostly narrow words, where "
-                     "the low bits of products that synthesis prunes are a larger part, and the registers of array dividers, whose "
-                     "leading bits are constant.")
+            self.add(f"Of {len(logic)} designs the median of operators and registers together is {percent(logic[len(logic) // 2])}. The "
+                     "table prices components that were synthesised alone; in a design the low bits of products that nobody reads are "
+                     "pruned, and with array dividers the bits of their registers that never change.")
         rows = []
         for scheme in schemes:
             row = [scheme]
@@ -212,7 +218,7 @@ class Report:
         rows = [(*unit, *(f"{by[(*unit, w)]:.2f}" if by.get((*unit, w)) else "-" for w in widths)) for unit in units]
         self.add("## Clock\n\nShortest period in ns from register to register by OpenSTA, for the netlists above: no wires, no sizing for "
                  "fan-out, one operator a cycle and one bit of a quotient. Reads of ROMs are not in the path, as these are black boxes. -: "
-                 "no path between registers but through a ROM.")
+                 "no path from register to register, or through ROMs only.")
         self.add(table(("scheme", "unit", *(f"{w} bits" for w in widths)), rows, 2))
 
     def place(self):
@@ -229,18 +235,23 @@ class Report:
         self.add(table(("scheme", "logic cells", "of the chip", "shift registers", "MHz"), rows))
 
     def cycles(self):
+        settings = ", ".join(f"{key}={value}" for key, value in self.results["cycles"]["settings"].items())
         if self.of("cycles"):
             self.add("## Cycles\n\n`scripts/cosimulate.sh` puts the units, through Verilator's SystemC models, in place of the program's "
-                     "own in the stepped engine, on a scene: handshake, words, picture, cycles and statistics are compared.\n\n"
+                     "own in the stepped engine, on a scene: handshake, words, picture, cycles and statistics are compared. The units are "
+                     f"made to wait and to be waited for ({self.results['cycles']['scene']}, {self.results['cycles']['size']} x "
+                     f"{self.results['cycles']['size']}, {settings}): a unit that is a cycle late takes other cycles in all.\n\n"
                      + "\n".join(f"* {c['scheme']}: {c['detail']}" for c in self.of("cycles")))
 
 
-CHECKS = {"counts": "counts", "bit_exact": "vectors", "dsp": "DSP blocks", "area": "areas", "clock": "clocks",
+CHECKS = {"counts": "counts", "benches": "test benches", "bit_exact": "vectors", "dsp": "DSP blocks", "area": "areas", "clock": "clocks",
           "place_route": "place and route", "cycles": "cycles in the pipeline"}
 MEANING = {
     "bit_exact": "Verilator's words are the evaluation's; latency and interval are the schedule's",
-    "operators": "Yosys finds the inventory's operators and tables",
-    "registers": "Yosys finds the register bits between and inside operators",
+    "benches": "lint finds nothing; Icarus's words and handshake are right",
+    "operators": "Yosys finds a unit's operators and tables where they are counted, and nowhere else",
+    "operators_all": "those of all units are what the scheme is said to be built of",
+    "registers": "Yosys finds the register bits between and inside operators, as priced",
     "handshake": "Yosys finds the wrapper's register and queue bits",
     "dsp_ice40": "blocks as the widths ask for", "dsp_ecp5": "blocks as the widths ask for", "dsp_xilinx": "blocks as the widths ask for",
     "area": "the table of prices stays in its bands", "area_handshake": "synthesised, no claim", "clock": "a path is found and no tool "
@@ -274,9 +285,11 @@ def saving(results):
 
 def main(argv):
     root = pathlib.Path(__file__).resolve().parent.parent
-    work = pathlib.Path(argv[0]) if argv else root / "build/rtl"
-    target = pathlib.Path(argv[1]) if len(argv) > 1 else root / "reports/rtl.md"
-    path = work / "results.json"
+    parser = argparse.ArgumentParser(prog="rtl_report.py", description="Writes the report of scripts/check_rtl.sh.")
+    parser.add_argument("work", nargs="?", type=pathlib.Path, default=root / "build/rtl", help="the checks' folder (default: build/rtl)")
+    parser.add_argument("report", nargs="?", type=pathlib.Path, default=root / "reports/rtl.md", help="default: reports/rtl.md")
+    arguments = parser.parse_args(argv)
+    path, target = arguments.work / "results.json", arguments.report
     if not path.exists():
         print(f"rtl_report.py: {path} is not there; scripts/check_rtl.sh writes it", file=sys.stderr)
         return 2

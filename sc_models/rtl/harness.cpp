@@ -10,13 +10,15 @@ const char* const text = R"harness(// Checks a unit, as translated by Verilator,
 //   s(k) = max(s(k-1) + II, arrival(k), w(k-CAPACITY) + 1)   a token starts
 //   d(k) = max(s(k) + L, w(k-1) + 1)                         it is finished
 //   w(k) = first cycle from d(k) on with out_ready           it is delivered
-// Every vector is sent twice: in round 1 without a pause on either side, in round 2 with random pauses on both. In every cycle in_ready and
+// Every vector is sent twice: in round 1 without a pause on either side, in round 2 with random pauses on both. Round 3 sends the first
+// ones again, between resets of one cycle that come whatever is in flight and in the queue. In every cycle in_ready and
 // out_valid must be what the recurrences say, and the words that are shown those of the vector; none of them may change within a cycle when
 // in_valid, out_ready or the operands do.
 // Compiled with -DUNIT_PORTS=<unit>_ports.h. Run as: check FILE [VECTORS [SEED]]; VECTORS 0 means all of the file.
 
 #include <verilated.h>
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
@@ -122,10 +124,7 @@ class Check {
   bool round(int number) {
     round_ = number;
     reset();
-    start_.assign(UNIT_CAPACITY, 0);
-    taken_ = delivered_ = 0;
-    cycle_ = free_ = 0;
-    offered_ = wrong_ = false;
+    begin();
     unsigned lazy_source = 0, lazy_reader = 0;
     for (int quiet = 0; quiet < UnitPorts::latency + 2; quiet += delivered_ == count_ ? 1 : 0) {
       if (number == 2 && cycle_ % 64 == 0) {
@@ -134,6 +133,28 @@ class Check {
       }
       if (!drive(random_.eighths() >= lazy_source, random_.eighths() >= lazy_reader)) return false;
       advance();
+    }
+    return true;
+  }
+  /// Resets of one cycle in the middle, whatever is in flight and in the queue: the next token is the first again. False as round().
+  bool resets() {
+    round_ = 3;
+    for (int i = 0; i < 20; ++i) {
+      unit_->reset = 1;
+      unit_->in_valid = random_.eighths() < 4;
+      unit_->out_ready = random_.eighths() < 4;
+      edge();
+      unit_->reset = 0;
+      unit_->in_valid = 0;
+      edge();
+      begin();
+      const std::size_t most = 2 * std::min<std::size_t>(UNIT_CAPACITY, 500) + 2;
+      const std::size_t enough = std::min<std::size_t>(count_, 1 + random_.next() % most);
+      const unsigned lazy_source = random_.eighths(), lazy_reader = random_.eighths();
+      while (delivered_ < enough) {
+        if (!drive(random_.eighths() >= lazy_source, random_.eighths() >= lazy_reader)) return false;
+        advance();
+      }
     }
     return true;
   }
@@ -148,6 +169,12 @@ class Check {
     shown_ = shown();
     unit_->clk = 0;
     unit_->eval();
+  }
+  void begin() {
+    start_.assign(UNIT_CAPACITY, 0);
+    taken_ = delivered_ = 0;
+    cycle_ = free_ = 0;
+    offered_ = wrong_ = false;
   }
   /// The second round begins with tokens in flight, which the reset drops.
   void reset() {
@@ -273,7 +300,7 @@ int main(int argc, char* argv[]) {
   if (argc <= 2 || *argv[2] == '\0') count = vectors.count();
   if (count < 2) fail("an interval is measured between two vectors at least");
   Check check(vectors, count, argc > 3 ? number(argv[3]) : 1);
-  if (check.round(1)) check.round(2);
+  if (check.round(1) && check.round(2)) check.resets();
   std::printf("%s: %zu vectors, %" PRIu64 " mismatches, latency %" PRId64 ", interval %" PRId64 "\n", UnitPorts::name, count,
               check.mismatches(), check.latency(), check.interval());
   return check.mismatches() == 0 ? 0 : 1;

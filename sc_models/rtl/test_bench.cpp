@@ -129,6 +129,28 @@ const char* const state = R"(  reg [IN_BITS+OUT_BITS-1:0] vectors[0:VECTORS-1];
     end
   endtask
 
+  task begin_anew;
+    begin
+      cycle = 0;
+      taken = 0;
+      delivered = 0;
+      free = 0;
+      quiet = 0;
+      wrong = 1'b0;
+      stop = 1'b0;
+    end
+  endtask
+
+  task one_cycle;
+    begin
+      drive;
+      @(negedge clk);
+      check;
+      advance;
+      edge_of_clock;
+    end
+  endtask
+
   // All vectors, and then some cycles in which nothing may happen. The second round begins with tokens in flight, which the reset drops.
   task send_all;
     begin
@@ -143,13 +165,7 @@ const char* const state = R"(  reg [IN_BITS+OUT_BITS-1:0] vectors[0:VECTORS-1];
       edge_of_clock;
       reset = 1'b0;
       edge_of_clock;
-      cycle = 0;
-      taken = 0;
-      delivered = 0;
-      free = 0;
-      quiet = 0;
-      wrong = 1'b0;
-      stop = 1'b0;
+      begin_anew;
       lazy_source = 0;
       lazy_reader = 0;
       while (quiet < LATENCY + 2 && !stop) begin
@@ -157,11 +173,29 @@ const char* const state = R"(  reg [IN_BITS+OUT_BITS-1:0] vectors[0:VECTORS-1];
           lazy_source = eighths(1'b0);
           lazy_reader = eighths(1'b0);
         end
-        drive;
-        @(negedge clk);
-        check;
-        advance;
+        one_cycle;
+      end
+    end
+  endtask
+
+  // Resets of one cycle in the middle, whatever is in flight and in the queue: the next token is the first again.
+  task resets;
+    integer enough;
+    begin
+      repeat (20) begin
+        reset = 1'b1;
+        in_valid = eighths(1'b0) < 4;
+        out_ready = eighths(1'b0) < 4;
         edge_of_clock;
+        reset = 1'b0;
+        in_valid = 1'b0;
+        edge_of_clock;
+        if (!stop) begin_anew;
+        enough = 1 + (($random(seed) >> 8) & 65535) % (2 * (CAPACITY < 500 ? CAPACITY : 500) + 2);
+        if (enough > VECTORS) enough = VECTORS;
+        lazy_source = eighths(1'b0);
+        lazy_reader = eighths(1'b0);
+        while (delivered < enough && !stop) one_cycle;
       end
     end
   endtask
@@ -202,7 +236,9 @@ const char* const state = R"(  reg [IN_BITS+OUT_BITS-1:0] vectors[0:VECTORS-1];
     round = 1;
     send_all;
     round = 2;
-    send_all;
+    if (!stop) send_all;
+    round = 3;
+    if (!stop) resets;
     $display("@UNIT@: %0d vectors, %0d mismatches, latency %0d, interval %0d", VECTORS, mismatches, first_delivery - first_start,
              second_start - first_start);
     if (mismatches != 0) $stop;
@@ -221,7 +257,8 @@ std::string with_name(std::string text, const std::string& unit) {
 
 std::string test_bench(const RtlUnit& unit, int vectors) {
   const std::vector<std::string> comment = {
-      "Test bench of " + unit.module.name + ": every vector twice, first without a pause on either side, then with random pauses.",
+      "Test bench of " + unit.module.name + ": every vector twice, first without a pause on either side, then with random pauses; and",
+      "resets in the middle.",
       "Every word is compared with the vectors, and in_ready and out_valid in every cycle with the recurrences of the unit.",
       "Runs in the folder above this one."};
   return verilog_module(unit.module.name + "_tb", comment, declarations(unit, vectors) + with_name(state, unit.unit)).text;

@@ -3,7 +3,6 @@
 import hashlib
 import json
 import re
-import shutil
 import threading
 
 import tools
@@ -92,13 +91,18 @@ def single_bit_assigns(text):
     return re.sub(r"^\s*assign \{ (.*?) \} = \{ (.*?) \};\n", split, text, flags=re.M)
 
 
+def without_comments(text):
+    return re.sub(r"//[^\n]*", "", text)
+
+
 class Synthesis:
-    """Runs of synthesis, each once for equal texts."""
+    """Runs of synthesis, each once for equal texts but for comments, tools and cells, also over several runs of the checks."""
 
     def __init__(self, work):
         self.work = work / "synthesis"
         self.work.mkdir(parents=True, exist_ok=True)
         self._locks, self._lock = {}, threading.Lock()
+        self.made, self.reused = set(), set()  # keys of this run, and of earlier ones that it took
 
     def _once(self, key, make):
         """`make(folder)` returns figures; those of an equal earlier run are taken from its folder."""
@@ -107,16 +111,21 @@ class Synthesis:
             lock = self._locks.setdefault(key, threading.Lock())
         with lock:
             done = folder / "figures.json"
-            if not done.exists():
+            figures = json.loads(done.read_text()) if done.exists() else {}
+            if figures.get("liberty") == tools.liberty_digest():
+                self.reused |= {key} - self.made
+            else:
                 folder.mkdir(exist_ok=True)
-                done.write_text(json.dumps(make(folder)))
-            return {**json.loads(done.read_text()), "folder": str(folder)}
+                figures = {"liberty": tools.liberty_digest(), **make(folder)}
+                done.write_text(json.dumps(figures))
+                self.made.add(key)
+            return {**figures, "folder": str(folder)}
 
     @staticmethod
     def _hash(*texts):
         digest = hashlib.sha256()
         for text in (tools.versions().get("yosys", ""), *texts):
-            digest.update(text.encode() + b"\0")
+            digest.update(without_comments(text).encode() + b"\0")
         return digest.hexdigest()[:20]
 
     def datapath(self, folder, top, modules):

@@ -1,4 +1,5 @@
-"""Verilator's model of a unit against the fixed-point evaluation, with the harness that the program writes."""
+"""The Verilog against the fixed-point evaluation: Verilator's model of a unit with the harness that the program writes, and the test
+benches in Icarus Verilog."""
 
 import re
 import shutil
@@ -6,7 +7,22 @@ import shutil
 import tools
 from results import FAILED, OK, Check
 
+BENCH_LINE = re.compile(r"^(\w+): (\d+) vectors, (\d+) mismatches, latency (\d+), interval (\d+)", re.M)
 LINE = re.compile(r": (\d+) vectors, (\d+) mismatches, latency (\d+), interval (\d+)")
+
+
+BENCH_VECTORS = 200
+
+
+def check_benches(program, scheme, log):
+    """Lint of every module by Verilator, and the test benches in Icarus Verilog: a line for the scheme."""
+    folder, manifest = program.emit(scheme, "benches", {}, vectors=BENCH_VECTORS)
+    text = tools.run(["make", "lint", "test", "SEED=7"], log, folder)
+    said = {unit: [int(word) for word in words] for unit, *words in BENCH_LINE.findall(text)}
+    good = all(said.get(unit["unit"]) == [BENCH_VECTORS, 0, unit["latency"], unit["initiation_interval"]] for unit in manifest["units"])
+    good = good and all(f"{unit['unit']}: lint found nothing" in text for unit in manifest["units"])
+    text = f"lint found nothing; {', '.join(said)}: {BENCH_VECTORS} vectors each, 0 mismatches" if good else f"see {log}"
+    return [Check(OK if good else FAILED, "benches", scheme, "all", text, {"vectors": BENCH_VECTORS})]
 
 
 def check_unit(program, scheme, unit, vectors, log, tag="vectors", settings=None, what=""):

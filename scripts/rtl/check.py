@@ -22,13 +22,15 @@ from results import FAILED, OK, SKIPPED, Check, Results
 
 CHECKS = {  # name: the tools it needs
     "counts": ("yosys",),
+    "benches": ("verilator", "iverilog", "make"),
     "bit_exact": ("verilator", "make", "g++"),
     "dsp": ("yosys",),
     "area": ("yosys", "osu018"),
     "clock": ("yosys", "osu018", "sta"),
     "place_route": ("yosys", "nextpnr-ice40"),
-    "cycles": ("verilator",),
+    "cycles": ("verilator", "make", "g++"),
 }
+QUICK = ("counts", "bit_exact")
 
 
 class Plan:
@@ -55,8 +57,15 @@ class Plan:
 
     def add_scheme(self, scheme, checks):
         folder, manifest = self.program.emit(scheme, "default", {})
-        for unit in manifest["units"]:
-            self.add_unit(scheme, unit, folder, checks)
+        units = manifest["units"]
+        if "counts" in checks:
+            inventory = self.program.inventory(scheme)
+            self.add(0, "counts", scheme, "all", lambda: counts.check_scheme(
+                scheme, units, folder, lambda unit: self.log("counts", scheme, unit), inventory))
+        if "benches" in checks:
+            self.add(1, "benches", scheme, "all", lambda: bit_exact.check_benches(self.program, scheme, self.log("benches", scheme)))
+        for unit in units:
+            self.add_unit(scheme, unit, checks)
         if "dsp" in checks:
             self.add_dsp(scheme)
         if "place_route" in checks and self.does("place_route", scheme):
@@ -65,19 +74,29 @@ class Plan:
             for width in self.arguments.widths:
                 self.add(width, "area", scheme, "all", lambda width=width: self.area(scheme, width, checks))
 
-    def add_unit(self, scheme, unit, folder, checks):
+    def add_unit(self, scheme, unit, checks):
         name, vectors = unit["unit"], self.arguments.vectors
-        if "counts" in checks:
-            self.add(0, "counts", scheme, name, lambda: counts.check_unit(scheme, unit, folder, self.log("counts", scheme, name)))
         if "bit_exact" in checks:
             self.add(2, "bit_exact", scheme, name,
                      lambda: bit_exact.check_unit(self.program, scheme, unit, vectors, self.log("bit_exact", scheme, name)))
-            # A stage without limit of its own (the address of light maps) is named after its stage.
-            limit = {"light_map_address": "light_map_fetch"}.get(name, name) + ".multipliers"
-            if self.does("shared", scheme) and not self.arguments.quick and unit["built"]["multipliers"] > 2:
-                self.add(1, "bit_exact", scheme, name, lambda: bit_exact.check_unit(
-                    self.program, scheme, unit, max(2, vectors // 10), self.log("bit_exact_shared", scheme, name), "shared", {limit: 2},
-                    " with 2 multipliers"))
+        if not self.does("shared", scheme) or self.arguments.quick or unit["built"]["multipliers"] <= 2:
+            return
+        # A stage without limit of its own (the address of light maps) is named after its stage.
+        limit = {{"light_map_address": "light_map_fetch"}.get(name, name) + ".multipliers": 2}
+        if "bit_exact" in checks:
+            self.add(1, "bit_exact", scheme, name, lambda: bit_exact.check_unit(
+                self.program, scheme, unit, max(2, vectors // 10), self.log("bit_exact_shared", scheme, name), "shared", limit,
+                " with 2 multipliers"))
+        if "counts" in checks:
+            self.add(0, "counts", scheme, name, lambda: self.shared_counts(scheme, name, limit))
+
+    def shared_counts(self, scheme, name, limit):
+        folder, manifest = self.program.emit(scheme, f"shared-counts-{name}", limit, unit=name)
+        checks = counts.check_unit(scheme, manifest["units"][0], folder, self.log("counts_shared", scheme, name))
+        for check in checks:
+            check.detail += ", with 2 multipliers"
+            check.data["settings"] = limit
+        return checks
 
     def add_dsp(self, scheme):
         settings, _ = self.program.width_settings(scheme, 10)
@@ -111,8 +130,11 @@ class Plan:
             for unit, figures in zip(units, made.values()):
                 if tools.missing(*CHECKS["clock"]):
                     found.append(Check(SKIPPED, "clock", scheme, unit["unit"], f"no {tools.missing(*CHECKS['clock'])}"))
-                else:
-                    found += clock.check_unit(scheme, unit, width, figures, self.log(f"clock-{width}", scheme, unit["unit"]))
+                    continue
+                try:
+                    found += clock.check_unit(scheme, unit, width, figures, notes, self.log(f"clock-{width}", scheme, unit["unit"]))
+                except tools.ToolFailed as error:
+                    found.append(Check(FAILED, "clock", scheme, unit["unit"], f"{width} bits: {error}"))
         return found
 
     def attempt(self, check, scheme, unit, task):
@@ -141,19 +163,29 @@ class Plan:
 
 
 def cycles(plan, schemes):
-    """The emitted units inside the SystemC pipeline, by a script of its own; one at a time, since each builds what it needs first."""
+    """The emitted units inside the SystemC pipeline, by a script of its own; one at a time, since each builds what it needs first. With
+    default settings the vertices hold everything up, and no unit is ever full: the settings make the units wait, and be waited for."""
     script = pathlib.Path(__file__).resolve().parent.parent / "cosimulate.sh"
     chosen = SETTINGS["cycles"]
 
+    build = pathlib.Path(plan.program.path).parent
+    environment = {"BUILD": str(build)}
+    if plan.arguments.no_install:
+        environment["NO_INSTALL"] = "1"
+        if not (build / "testbench/cosimulation/cosimulate").exists():
+            plan.results.add([Check(SKIPPED, "cycles", scheme, "all", f"no cosimulate in {build}") for scheme in schemes])
+            return
+    settings = [word for key, value in chosen["settings"].items() for word in ("--set", f"{key}={value}")]
+
     def work(scheme):
-        text = tools.run([str(script), scheme, chosen["scene"], "--size", str(chosen["size"])], plan.log("cycles", scheme),
-                         environment={"BUILD": str(pathlib.Path(plan.program.path).parent)})
+        text = tools.run([str(script), scheme, chosen["scene"], "--size", str(chosen["size"]), *settings], plan.log("cycles", scheme),
+                         environment=environment)
         said = re.search(r"cycles: (\d+) with models, (\d+) with Verilog", text)
         summary = re.search(r"(\d+) passed, (\d+) failed", text)
         good = said and summary and said[1] == said[2] and summary[2] == "0"
         detail = "the script compared nothing"
         if said and summary:
-            detail = f"{chosen['scene']}, {chosen['size']} x {chosen['size']}: {said[0]}; {summary[0]}"
+            detail = f"{said[0]}; {summary[0]}"
         return [Check(OK if good else FAILED, "cycles", scheme, "all", detail, {"detail": detail})]
 
     plan.add_chain(20, "cycles", [scheme for scheme in schemes if plan.does("cycles", scheme)], work)
@@ -186,16 +218,23 @@ def parse(argv):
         parser.error(f"there is no check {unknown[0]}; choose from {names}")
     if arguments.quick:
         arguments.schemes = ",".join(SETTINGS["quick"]["schemes"]) if arguments.schemes == "all" else arguments.schemes
-        arguments.checks = [check for check in arguments.checks if check in ("counts", "bit_exact")]
-    arguments.vectors = arguments.vectors or (100_000 if arguments.quick else 1_000_000)
-    if min(arguments.vectors, arguments.jobs, *arguments.widths) < 1:
-        parser.error("numbers must be at least 1")
+        arguments.checks = [check for check in arguments.checks if check in QUICK]
+        if not arguments.checks:
+            parser.error(f"--quick has the checks {' and '.join(QUICK)} only")
+    if arguments.vectors is None:
+        arguments.vectors = 100_000 if arguments.quick else 1_000_000
+    if min(arguments.jobs, *arguments.widths) < 1 or arguments.vectors < 2:
+        parser.error("numbers must be at least 1, vectors at least 2")
     return arguments
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt
 
 
 def main(argv):
     arguments = parse(argv)
-    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))  # what runs is ended in the same way
+    signal.signal(signal.SIGTERM, interrupt)  # what runs is ended in the same way
     begin = time.monotonic()
     program = Program(pathlib.Path(arguments.program).resolve(), pathlib.Path(arguments.work).resolve())
     results = Results()
@@ -225,7 +264,8 @@ def main(argv):
         results.write(program.work / "results.json", {
             "schemes": schemes, "checks_run": arguments.checks, "full": arguments.full, "widths": arguments.widths,
             "vectors": arguments.vectors, "tools": tools.versions(), "bands": SETTINGS["bands"],
-            "exceptions": SETTINGS["exceptions"], "jobs": arguments.jobs,
+            "exceptions": SETTINGS["exceptions"], "jobs": arguments.jobs, "cycles": SETTINGS["cycles"],
+            "synthesised": len(plan.synthesis.made), "taken_from_earlier_runs": len(plan.synthesis.reused),
             "seconds": round(time.monotonic() - begin)})
     print(results.summary())
     return 1 if results.count(FAILED) else 0

@@ -28,15 +28,17 @@ def shortest_period(folder, top, log):
     return PERIOD - float(slack[1])
 
 
-def check_unit(scheme, unit, width, area, log):
+def check_unit(scheme, unit, width, area, notes, log):
     """The area's mapped netlist, ROMs as black boxes: table reads are not in the path, wires have no load."""
     top, name = unit["cells"]["module"], unit["unit"]
     if area["register_bits"] == 0:
         return [Check(OK, "clock", scheme, name, f"{width} bits: no register, no clock", {"width": width, "period": None})]
     period = shortest_period(area["folder"], top, log)
     if period is None:
-        text = f"{width} bits: no path from register to register but through ROMs, which are black boxes"
+        text = f"{width} bits: no path from register to register"
+        text += " but through ROMs, which are black boxes" if area["roms"] else ", there is one stage"
     else:
         text = f"{width} bits: {period:.2f} ns, {1000 / period:.0f} MHz"
+    text += "".join(f"; {note}" for note in notes)
     good = period is None or 0 < period < PERIOD
     return [Check(OK if good else FAILED, "clock", scheme, name, text, {"width": width, "period": period})]

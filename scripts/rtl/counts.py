@@ -17,6 +17,11 @@ opt_clean
 write_json {after}
 """
 
+# What no part of a unit but its datapath has, and what the leaves may have at most: everything else would escape the counts.
+NOWHERE_ELSE = ("$mul", "$div", "$mod", "$pow", "$sqrt")
+ADDERS = ("$add", "$sub")
+NO_ADDERS = ("table_", "rom_")
+
 SHORT = {"multipliers": "mul", "adders": "add", "dividers": "div", "square_roots": "sqrt", "tables": "table"}
 KIND = {"$mul": "multiplier", "$add": "adder", "$sub": "adder", "addsub": "adder", "div": "divider", "sqrt": "square root",
         "table": "table"}
@@ -35,6 +40,24 @@ def removed(before, after, patterns, folder):
                   f"{netlists.name_in_source(before['cells'][name], folder)}" for name in gone + changed)
 
 
+def check_scheme(scheme, units, folder, log, inventory):
+    """The lines of each unit, and one for all units against what the program says the scheme is built of."""
+    checks = [check for unit in units for check in check_unit(scheme, unit, folder, log(unit["unit"]))]
+    found = [check.data["found"] for check in checks if check.check == "operators"]
+    sums = {kind: sum(of_unit[kind] for of_unit in found) for kind in SHORT}
+    built = [inventory[unit["unit"]] for unit in units]
+    expected = {kind: sum(of_unit[kind] for of_unit in built) for kind in SHORT}
+    expected["tables"] += sum(of_unit["maps"] for of_unit in built)
+    folded = [name for unit in units for name in unit.get("folded", [])]
+    text = ", ".join(f"{sums[kind]} {SHORT[kind]}" for kind in SHORT)
+    different = sum(abs(sums[kind] - expected[kind]) for kind in SHORT) - len(folded)
+    if different:
+        text += f" instead of {', '.join(f'{expected[kind]} {SHORT[kind]}' for kind in SHORT)}"
+    if folded:
+        text += f", and {len(folded)} of constants alone"
+    return checks + [Check(FAILED if different else OK, "operators_all", scheme, "all", text, {"found": sums, "folded": folded})]
+
+
 def check_unit(scheme, unit, folder, log):
     """Three lines: operators and tables, registers of the datapath, and the wrapper's registers."""
     log.parent.mkdir(parents=True, exist_ok=True)
@@ -46,12 +69,25 @@ def check_unit(scheme, unit, folder, log):
     name = unit["cells"]["module"]
     datapath, optimised, wrapper = before[name], after[name], before[unit["top"]]
     bits = [netlists.register_bits_below(modules, name) for modules in (before, after)]
-    return [operators(scheme, unit, datapath, optimised, folder), datapath_registers(scheme, unit, *bits),
+    return [operators(scheme, unit, datapath, optimised, folder, hidden(before, name)), datapath_registers(scheme, unit, *bits),
             wrapper_registers(scheme, unit, wrapper)]
 
 
-def operators(scheme, unit, datapath, optimised, folder):
-    found, differences, patterns = {}, [], []
+def hidden(modules, datapath):
+    """Operators where none are counted: in the unit around the datapath, in tables and ROMs, a second adder in an adder-subtractor."""
+    found = []
+    for name, module in modules.items():
+        if name == datapath:
+            continue
+        found += [f"{kind} in {name}" for kind in NOWHERE_ELSE if netlists.count(module, kind)]
+        adders = netlists.count(module, *ADDERS)
+        if (name.startswith(NO_ADDERS) and adders) or (name.startswith("addsub_") and adders != 1):
+            found.append(f"{adders} adders in {name}")
+    return found
+
+
+def operators(scheme, unit, datapath, optimised, folder, differences):
+    found, patterns = {}, []
     for kind, expected in unit["cells"].items():
         if kind == "module":
             continue

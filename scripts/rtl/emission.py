@@ -33,15 +33,32 @@ class Program:
             raise ProgramFailed(f"bumpsim {arguments[0]} ended with {result.returncode}: {' '.join(said.split())[:200]}")
         return result.stdout
 
+    def json(self, *arguments):
+        text = self.run(*arguments, "--json")
+        try:
+            return json.loads(text)
+        except ValueError as error:
+            raise ProgramFailed(f"{self.path} {arguments[0]} --json printed no JSON: is that bumpsim?") from error
+
     @functools.cache
     def schemes(self):
-        return [scheme["id"] for scheme in json.loads(self.run("list", "schemes", "--json"))["schemes"]]
+        return [scheme["id"] for scheme in self.json("list", "schemes")["schemes"]]
+
+    @functools.cache
+    def inventory(self, scheme):
+        """Operators of all netlists by `bumpsim describe`, additions included; light maps are memory, not hardware of the unit."""
+        document = self.json("describe", scheme)
+        units = {name: {kind: unit["built"][kind] + unit["additional"][kind] for kind in unit["built"]}
+                 for name, unit in document["units"].items()}
+        if "light_map_address" in units:
+            units["light_map_address"]["maps"] -= len(document["light_maps"])
+        return units
 
     @functools.cache
     def parameters(self, scheme):
         """Integer parameters: key without the scheme's name, to (default, least, most)."""
         found = {}
-        for parameter in json.loads(self.run("describe", scheme, "--json"))["parameters"]:
+        for parameter in self.json("describe", scheme)["parameters"]:
             bounds = re.search(r"allowed (-?\d+) to (-?\d+)", parameter["allowed"])
             if bounds:
                 found[parameter["key"].split(".", 1)[1]] = (int(parameter["default"]), int(bounds[1]), int(bounds[2]))
@@ -75,5 +92,5 @@ class Program:
     def price(self, scheme, settings, table="osu018_model"):
         """Units of the scheme by name, with their area and its items."""
         pairs = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-        document = json.loads(self.run("price", scheme, "--prices", table, "--items", "--json", *pairs))
+        document = self.json("price", scheme, "--prices", table, "--items", *pairs)
         return {unit["unit"]: unit for unit in document["schemes"][0]["units"]}

@@ -1,7 +1,4 @@
-"""FPGA flows: DSP blocks against multipliers, and place and route on a small iCE40."""
-
-import json
-import re
+"""FPGA flows: DSP blocks against multipliers."""
 
 import netlists
 import tools
@@ -61,12 +58,14 @@ def _pieces(a, b, y, family):
 WIDTHS = """read_verilog rtl/*.v
 blackbox rom_* div_* sqrt_*
 hierarchy -check -top {top}
-proc
+proc -noopt
 flatten
+opt_clean
+write_json {before}
 opt -full
 wreduce
 opt
-write_json {json}
+write_json {after}
 """
 
 # No product is in ROMs, dividers and roots.
@@ -89,24 +88,26 @@ def formats_of(items):
 
 
 def products(scheme_folder, top, log):
-    """(a, b, y, unsigned) of every product after constants are folded and words narrowed to the bits that are used."""
-    path = log.with_suffix(".json")
-    tools.yosys(WIDTHS.format(top=top, json=path), log.with_suffix(".widths.log"), scheme_folder)
-    module = netlists.load(path)[top]
-    path.unlink()
+    """How many products the datapath has, in whatever module but dividers, roots and ROMs; and (a, b, y, unsigned) of those that are left
+    after constants are folded and words narrowed to the bits that are used."""
+    before, after = log.with_suffix(".before.json"), log.with_suffix(".after.json")
+    tools.yosys(WIDTHS.format(top=top, before=before, after=after), log.with_suffix(".widths.log"), scheme_folder)
+    written, module = netlists.count(netlists.load(before)[top], "$mul"), netlists.load(after)[top]
+    before.unlink()
+    after.unlink()
     sizes = []
     for name in netlists.cells_of(module, "$mul"):
         cell = module["cells"][name]
         widths = tuple(netlists.parameter(cell, key) for key in ("A_WIDTH", "B_WIDTH", "Y_WIDTH"))
         sizes.append((*widths, 1 - netlists.parameter(cell, "A_SIGNED")))
-    return sizes
+    return written, sizes
 
 
 def check_dsp(scheme, unit, folder, log, items):
-    """Blocks of three families against what the widths of the factors ask for."""
+    """Blocks of three families against what the widths of the factors ask for, and products against the inventory's multipliers."""
     name, top, multipliers = unit["unit"], unit["cells"]["module"], unit["cells"]["multipliers"]["count"]
     formats = formats_of(items)
-    sizes = products(folder, top, log)
+    written, sizes = products(folder, top, log)
     checks = []
     for family_name, family in FAMILIES.items():
         out = log.with_suffix(f".{family_name}.txt")
@@ -122,6 +123,9 @@ def check_dsp(scheme, unit, folder, log, items):
             text += f"; by their formats {by_formats}, by the products left after constants and unused bits ({kinds}) {expected}"
         if found != expected:
             text += f"; expected {expected}"
+        if written != multipliers:
+            text += f"; the Verilog has {written} products"
         data = {"found": found, "expected": expected, "by_formats": by_formats, "multipliers": multipliers, "products": len(sizes)}
-        checks.append(Check(OK if found == expected else FAILED, f"dsp_{family_name}", scheme, name, text, data))
+        good = found == expected and written == multipliers
+        checks.append(Check(OK if good else FAILED, f"dsp_{family_name}", scheme, name, text, data))
     return checks

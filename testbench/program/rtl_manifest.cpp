@@ -144,7 +144,7 @@ Every check runs in this folder, needs `make` and the tool that it names, and fa
     make verilate                 # Verilator: the same checks, fast; also VECTORS=100 SEED=7 CAPACITY=3
     make counts                   # Yosys: operators and tables as counted
 
-`make test` and `make verilate` send every vector twice, without pauses and with random ones on both sides, and compare every word, and in every cycle
+`make test` and `make verilate` send every vector twice, without pauses and with random ones on both sides, then some again between resets, and compare every word, and in every cycle
 `in_ready` and `out_valid` with the recurrences that stand in front of the unit's module. More vectors: `bumpsim rtl --vectors`.
 )",
                      emission.scheme, version_text(), changes, units);

@@ -71,7 +71,7 @@ TEST_CASE("other people's tools agree with the program on counts, registers and 
   const Said said = check(workplace, BUMP_PROGRAM, "--quick");
   INFO(said.text);
   CHECK(said.code == 0);
-  CHECK(said.has("\n16 passed, 0 failed\n$"));  // three of Yosys and one of Verilator for each of four units
+  CHECK(said.has("\n18 passed, 0 failed\n$"));  // three of Yosys and one of Verilator for each of four units, one for each scheme
   for (const char* scheme : {"lee2007", "lns"})
     for (const char* unit : {"environment", "illumination"}) {
       const std::string of_unit = std::string(" +") + scheme + " +" + unit + " +";
@@ -90,18 +90,30 @@ TEST_CASE("an operator too few, or a register bit too many, fails the check of c
   INFO(said.text);
   CHECK(said.code == 1);
   CHECK(said.has("FAILED +operators +tl2 +illumination +1 multipliers instead of 2"));
-  CHECK(said.has("FAILED +registers +tl2 +environment +[0-9]+ bits between operators instead of [0-9]+"));
-  CHECK(said.has("\n[0-9]+ passed, 2 failed\n$"));
+  CHECK(said.has("FAILED +registers +tl2 +environment +[0-9]+ bits between and inside operators instead of [0-9]+"));
+  CHECK(said.has("FAILED +operators_all +tl2 +all +1 mul.* instead of 2 mul"));
+  CHECK(said.has("\n[0-9]+ passed, 3 failed\n$"));
+}
+
+TEST_CASE("an operator that hides in a table fails the check of counts") {
+  if (!is_there("python3") || !is_there("yosys")) return;
+  const Workplace workplace;
+  const std::string program = saboteur(
+      workplace, "sed -i 's/^endmodule/  wire [3:0] hidden = i0_0[1:0] * i0_0[3:2]; assign c0_0[0] = ^hidden;\nendmodule/' rtl/table_tl2_DIFF.v");
+  const Said said = check(workplace, program, "--schemes tl2 --checks counts");
+  INFO(said.text);
+  CHECK(said.code == 1);
+  CHECK(said.has("FAILED +operators +tl2 +illumination +.mul in table_tl2_DIFF"));
 }
 
 TEST_CASE("a wrong word in a ROM is found by the vectors") {
   if (!is_there("python3") || !is_there("verilator")) return;
   const Workplace workplace;
-  const std::string program = saboteur(workplace, "{ [ ! -e rom ] || sed -i 's/^0/1/' rom/tl2_HAV.hex; }");
+  const std::string program = saboteur(workplace, "{ [ ! -e rom ] || { sed -i 's/^0/1/' rom/tl2_HAV.hex && sha256sum rom/* >test/roms.sha256; }; }");
   const Said said = check(workplace, program, "--schemes tl2 --checks bit_exact --vectors 2000 --quick");
   INFO(said.text);
   CHECK(said.code == 1);
-  CHECK(said.has("FAILED +bit_exact +tl2 +illumination"));
+  CHECK(said.has("FAILED +bit_exact +tl2 +illumination.*vector [0-9]+, output"));
   CHECK(said.has("ok +bit_exact +tl2 +environment"));
 }
 
@@ -111,5 +123,8 @@ TEST_CASE("what the check does not know is refused before anything runs") {
   CHECK(check(workplace, BUMP_PROGRAM, "--schemes lee2008").code == 2);
   CHECK(check(workplace, BUMP_PROGRAM, "--checks areas").code == 2);
   CHECK(check(workplace, BUMP_PROGRAM, "--vectors many").code == 2);
+  CHECK(check(workplace, BUMP_PROGRAM, "--vectors 1").code == 2);
+  CHECK(check(workplace, BUMP_PROGRAM, "--quick --checks area").code == 2);
+  CHECK(check(workplace, "/bin/true", "").code == 2);
   CHECK(check(workplace, "/nowhere/bumpsim", "").code == 2);
 }

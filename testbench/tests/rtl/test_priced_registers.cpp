@@ -59,7 +59,9 @@ TEST_CASE("the registers that are priced are those of the Verilog, for all schem
     Parameters parameters;
     scheme->declare(parameters);
     const Design design = scheme->design(Configuration(parameters), Material{});
-    for (const Netlist* unit : {&design.environment, &design.illumination})
+    std::vector<const Netlist*> units = {&design.environment, &design.illumination};
+    if (design.light_maps) units.push_back(&design.light_maps->address);
+    for (const Netlist* unit : units)
       for (const int limit : {0, 2})
         for (const OperatorLatencies& latencies : {OperatorLatencies{}, slow(2, 3), slow(3, 1)})
           compare(scheme->page().id, *unit, latencies, limit);
