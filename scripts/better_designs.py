@@ -18,7 +18,7 @@ def fits(work):
         fit = json.loads(path.read_text())
         for row in fit["rows"]:
             if row["status"] in ("reached", "not_reached"):
-                row["settings"] = {**fit["settings"], **{key: value for key, value in (row.get("structure") or {}).items()}}
+                row["settings"] = {**fit["settings"], **{choice["key"]: choice["value"] for choice in row["choices"] if choice["value"] != choice["given"]}}
                 row["prices"] = fit["prices"]
                 rows.append(row)
     return rows

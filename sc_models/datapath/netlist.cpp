@@ -85,9 +85,20 @@ Netlist::Scope::~Scope() {
   netlist_.prefix_ = outer_;
 }
 
+Netlist::Label::Label(Netlist& netlist, const std::string& equation) : netlist_(netlist), outer_(netlist.label_) {
+  next(equation);
+}
+Netlist::Label::~Label() {
+  netlist_.label_ = outer_;
+}
+void Netlist::Label::next(const std::string& equation) {
+  netlist_.label_ = equation.empty() ? outer_ : equation;
+}
+
 Wire Netlist::append(Node node) {
   node.name = prefix_ + node.name;
   node.addition = addition_;
+  if (node.equation.empty() && node.op != Op::input) node.equation = label_;
   const std::string whose = "netlist '" + name_ + "', node '" + node.name + "'";
   require(find(node.name) < 0, whose + ": the name is taken");
   std::vector<Format> operands;

@@ -72,7 +72,7 @@ struct Wire {
 struct Node {
   Op op = Op::input;
   std::string name;           ///< unique within the netlist, e.g. "L.theta_x"
-  std::string equation;       ///< source, e.g. "Eq 7"; may be empty
+  std::string equation;       ///< source or step, e.g. "Eq 7"; may be empty
   std::vector<int> operands;  ///< nodes, earlier in the list
   Format format{};
   int amount = 0;            ///< shift: k; column: index of the column
@@ -131,6 +131,22 @@ class Netlist {
     std::string outer_;
   };
 
+  /// The step that operators recorded without an equation of their own belong to, while the Label lives. The innermost Label counts; an
+  /// empty one leaves the outer one in force. Inputs have none, as they are no operators.
+  class Label {
+   public:
+    Label(Netlist& netlist, const std::string& equation);
+    ~Label();
+    Label(const Label&) = delete;
+    Label& operator=(const Label&) = delete;
+    /// For the operators that follow, in place of the step before.
+    void next(const std::string& equation);
+
+   private:
+    Netlist& netlist_;
+    std::string outer_;
+  };
+
   struct Port {
     std::string name;
     int node;
@@ -152,6 +168,7 @@ class Netlist {
 
   std::string name_;
   std::string prefix_;
+  std::string label_;
   bool addition_ = false;
   std::vector<Node> nodes_;
   std::vector<Port> inputs_, outputs_;

@@ -12,6 +12,7 @@ struct FrameWires {
 
 /// Ry(theta_N): 4 multipliers, 2 adders.
 FrameWires rotated_vector(Netlist& n, const CartParameters& p, const SineCosine& theta) {
+  const Netlist::Label label(n, "CART step 1");
   const VectorTexelWires texel = vector_texel(n, p, p.turn());
   const auto times = [&](const char* name, Wire a, Wire b) { return n.mul(name, a, b, p.product()); };
   const Wire x_cos = times("x_cos_theta", texel.x, theta.cosine), x_sin = times("x_sin_theta", texel.x, theta.sine);
@@ -26,13 +27,14 @@ void rotate_by_angles(Netlist& n, const CartParameters& p) {
   const bool vector = p.texel == TexelAs::vector;
   FrameWires v;
   if (vector) {
-    v = rotated_vector(n, p, reads.both("N.SC_THETA", normal.theta));
+    v = rotated_vector(n, p, reads.both("N.SC_THETA", normal.theta, "CART step 1"));
   } else {
     const YPoleWires texel = y_pole_texel(n, p, p.turn());
     const TurnedNormalWires turned = turned_normal(n, texel.psi, texel.latitude, normal.theta, reads);
     v = {turned.a, turned.s, turned.c};
   }
   // Rz(phi_N)
+  const Netlist::Label label(n, "CART step 2");
   const SineCosine phi = reads.both("N.SC_PHI", normal.phi);
   const auto times = [&](const char* name, Wire a, Wire b) { return n.mul(name, a, b, p.product()); };
   const Wire x_cos = times("x_cos_phi", v.x1, phi.cosine), x_sin = times("x_sin_phi", v.x1, phi.sine);
@@ -46,6 +48,7 @@ void rotate_by_matrix(Netlist& n, const CartParameters& p) {
   const VectorWires normal = input_vector(n, "N", p.vector()), tangent = input_vector(n, "T", p.vector()),
                     binormal = input_vector(n, "B", p.vector());
   const VectorTexelWires texel = vector_texel(n, p, p.turn());
+  const Netlist::Label label(n, "matrix of T, B, N");
   const auto row = [&](const std::string& name, Wire t, Wire b, Wire along_n, bool negated) {
     const Netlist::Scope scope(n, name);
     const auto times = [&](const char* result, Wire component, Wire of_texel) { return n.mul(result, component, of_texel, p.product()); };
@@ -75,6 +78,7 @@ Netlist illumination_unit(const CartParameters& p, const Material& material) {
   const Wire x = n.input("N_os.x", p.product()), y = n.input("N_os.y", p.product());
   const bool angles = p.texel == TexelAs::angles;
   const VectorWires bumped{x, y, angles ? n.input("N_os.z", p.half_word()) : n.input("N_os.minus_z", p.product())};
+  const Netlist::Label label(n, "CART step 3");
   const auto dot = angles ? dot_of : dot_less_last;
   const Wire n_l = dot(n, "N_L", light, bumped, p), n_h = dot(n, "N_H", half, bumped, p);
   output_intensity(n, n_l, n_h, p, material);

@@ -39,7 +39,8 @@ Netlist environment_unit(const Cd0Parameters& p) {
   const CordicWidths cordic = p.cordic();
   const PolarDirection normal = input_direction(n, "N", in), light = input_direction(n, "L", in), half = input_direction(n, "H", in);
   const YPoleWires texel = y_pole_texel(n, p, p.turn());
-  const CordicDirections directions = cordic_directions(n, "Psi_turn", n.add("N.Psi", texel.psi, normal.theta, in), cordic);
+  const Wire Psi = n.add("N.Psi", texel.psi, normal.theta, in, "CD0 step 2");
+  const CordicDirections directions = cordic_directions(n, "Psi_turn", Psi, cordic);
   Roms tables = roms(p);
   for (const auto& [name, a] : {std::pair<std::string, PolarDirection>{"L", light}, {"H", half}}) {
     const Netlist::Scope scope(n, name);
@@ -47,11 +48,11 @@ Netlist environment_unit(const Cd0Parameters& p) {
     const Wire d = n.sub("d", a.phi, normal.phi, in, "Lee Eq 6");
     const std::vector<Wire> of_X = tables.sine_cosine.read(n, "SC_X", n.add("X", a.theta, d, in, "Lee Eq 6"), "Lee Eqs 7, 9"),
                             of_Y = tables.sine_cosine.read(n, "SC_Y", n.sub("Y", a.theta, d, in, "Lee Eq 6"), "Lee Eqs 7, 9");
-    const Wire G = n.shift("G", n.add("twice_G", of_X[0], of_Y[0], sum, "Lee Eq 7"), -1, half_sum);
-    const Wire K = n.shift("K", n.sub("twice_K", of_Y[1], of_X[1], sum, "Lee Eq 9"), -1, half_sum);
-    const Wire z = tables.cosine.read(n, "COS_THETA", a.theta).front();
+    const Wire G = n.shift("G", n.add("twice_G", of_X[0], of_Y[0], sum, "Lee Eq 7"), -1, half_sum, "Lee Eq 7");
+    const Wire K = n.shift("K", n.sub("twice_K", of_Y[1], of_X[1], sum, "Lee Eq 9"), -1, half_sum, "Lee Eq 9");
+    const Wire z = tables.cosine.read(n, "COS_THETA", a.theta, "CD0 step 1").front();
     n.output("w", cordic_projection(n, "by_Psi", z, G, directions, cordic));
-    n.output("K", n.shift("K_component", K, 0, cordic.component));
+    n.output("K", n.shift("K_component", K, 0, cordic.component, "CD0 step 3"));
   }
   n.output("bump.latitude", texel.latitude);
   return n;
@@ -64,7 +65,7 @@ Netlist illumination_unit(const Cd0Parameters& p, const Material& material) {
   const auto dot = [&](const std::string& name, const std::string& vector) {
     const Wire w = n.input(vector + ".w", cordic.component), K = n.input(vector + ".K", cordic.component);
     const Wire projection = cordic_projection(n, name, w, K, directions, cordic);
-    return n.shift(name + ".dot", projection, 0, cordic.component);
+    return n.shift(name + ".dot", projection, 0, cordic.component, "CD0 step 3");
   };
   const Wire n_l = dot("N_L", "L"), n_h = dot("N_H", "H");
   output_intensity(n, n_l, n_h, p, material);

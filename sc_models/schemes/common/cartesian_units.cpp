@@ -31,12 +31,13 @@ VectorWires normalise_pixel(Netlist& n, const std::string& name, const VectorWir
 
 Netlist vector_illumination_unit(const CartesianWidths& widths, const Material& material) {
   Netlist n("illumination");
+  const Netlist::Label label(n, "Eq 2 of Lee 2007");
   const VectorWires light = input_vector(n, "L_unit", widths.unit()), half = input_vector(n, "H_unit", widths.unit());
   const VectorWires normal = input_vector(n, "N_unit", widths.unit());
   const int fraction = widths.product_fraction();
   const Format product = widths.product(2);
   const auto clamped_dot = [&](const std::string& name, const VectorWires& v) {
-    return clamp_dot(n, name + "_lit", dot_product(n, name, normal, v, product, product, "Eq 2 of Lee 2007"), fraction);
+    return clamp_dot(n, name + "_lit", dot_product(n, name, normal, v, product, product), fraction);
   };
   const Wire n_l = clamped_dot("N_L", light), n_h = clamped_dot("N_H", half);
   const Format word = light_format(widths.light_word_bits);

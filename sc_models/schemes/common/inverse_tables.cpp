@@ -79,9 +79,10 @@ TablePtr reciprocal_table(const std::string& name, const Format& index, int addr
 Wire arc_cosine(Netlist& n, const std::string& name, Wire x, const TablePtr& table, const Format& angle_format,
                 const std::string& equation) {
   const Netlist::Scope scope(n, name);
+  const Netlist::Label label(n, equation);
   const Wire index = n.clamp("index", x, -1, 1, table->index);
-  const Wire first = n.shift("first", n.table("ACOS", table, index, equation).front(), 0, angle_format);
-  return n.select("angle", n.is_negative("x_negative", index), opposite(n, "first", first, angle_format), first, angle_format, equation);
+  const Wire first = n.shift("first", n.table("ACOS", table, index).front(), 0, angle_format);
+  return n.select("angle", n.is_negative("x_negative", index), opposite(n, "first", first, angle_format), first, angle_format);
 }
 
 AzimuthFormats azimuth_formats(int fraction, int address_bits, int word_bits, const Format& angle_format) {
@@ -97,12 +98,13 @@ AzimuthFormats azimuth_formats(int fraction, int address_bits, int word_bits, co
 
 Wire azimuth(Netlist& n, const std::string& name, Wire y, Wire x, const AzimuthFormats& f, const std::string& equation) {
   const Netlist::Scope scope(n, name);
+  const Netlist::Label label(n, equation);
   const Wire divisor = n.clamp("divisor", n.absolute("abs_x", x, f.magnitude), 0, 1, f.reciprocal->index);
-  const Wire reciprocal = n.table("RECIP", f.reciprocal, divisor, equation).front();
-  const Wire tangent = n.mul("tangent", n.absolute("abs_y", y, f.magnitude), reciprocal, f.tangent, equation);
-  const Wire first = n.shift("first", n.table("ATAN", f.arc_tangent, tangent, equation).front(), 0, f.angle);
+  const Wire reciprocal = n.table("RECIP", f.reciprocal, divisor).front();
+  const Wire tangent = n.mul("tangent", n.absolute("abs_y", y, f.magnitude), reciprocal, f.tangent);
+  const Wire first = n.shift("first", n.table("ATAN", f.arc_tangent, tangent).front(), 0, f.angle);
   const Wire upper = n.select("upper", n.is_negative("x_negative", x), opposite(n, "first", first, f.angle), first, f.angle);
-  return n.select("angle", n.is_negative("y_negative", y), n.negate("lower", upper, f.angle), upper, f.angle, equation);
+  return n.select("angle", n.is_negative("y_negative", y), n.negate("lower", upper, f.angle), upper, f.angle);
 }
 
 }  // namespace bump

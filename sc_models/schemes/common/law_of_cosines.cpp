@@ -39,6 +39,7 @@ Netlist law_of_cosines_unit(const LawOfCosines& f, const PolarSettings& p, const
   const CosineTables tables = cosine_tables(f);
   const auto clamped_dot = [&](const std::string& name, Wire vector_phi, Wire vector_theta, const std::string& equation) {
     const Netlist::Scope scope(n, name);
+    const Netlist::Label label(n, equation);
     return clamp_dot(n, "lit", law_of_cosines(n, vector_phi, vector_theta, phi, map_theta, f, tables, equation), f.word_bits);
   };
   const Wire n_l = clamped_dot("N_L", light_phi, light_theta, "Eq 24");

@@ -72,38 +72,42 @@ LogReads::LogReads(Netlist& netlist, const LogWidths& widths)
       antilogarithm_(antilogarithm_table("ANTILOG", widths), widths.ports) {}
 
 LogSineCosine LogReads::both(const std::string& name, Wire angle, const std::string& equation) {
-  const std::vector<Wire> read = logarithm_.read(netlist_, name, angle, equation);
+  const Netlist::Label label(netlist_, equation);
+  const std::vector<Wire> read = logarithm_.read(netlist_, name, angle);
   return {{read[0], netlist_.is_negative(name + ".sin_negative", angle)},
           {read[1], netlist_.is_beyond_quarter(name + ".cos_negative", angle)}};
 }
 
 LogValue LogReads::product(const std::string& name, const LogValue& a, const LogValue& b, const std::string& equation) {
+  const Netlist::Label label(netlist_, equation);
   const auto whole = [&](Wire log) { return netlist_.format(log).width - widths_.log_bits; };
   const Format format = log_format(widths_, std::max(whole(a.log), whole(b.log)) + 1);
-  return {netlist_.add(name, a.log, b.log, format, equation), netlist_.exclusive_or(name + ".negative", a.negative, b.negative)};
+  return {netlist_.add(name, a.log, b.log, format), netlist_.exclusive_or(name + ".negative", a.negative, b.negative)};
 }
 
 Wire LogReads::magnitude(const std::string& name, const LogValue& value, const std::string& equation) {
   const Netlist::Scope scope(netlist_, name);
+  const Netlist::Label label(netlist_, equation);
   const Format log = netlist_.format(value.log);
   const Wire part = netlist_.shift("fraction", value.log, 0, antilogarithm_.table().index);
   const Wire places = netlist_.shift("places", value.log, 0, ufixed(log.width - widths_.log_bits, 0));
-  const Wire power = antilogarithm_.read(netlist_, "ANTILOG", part, equation).front();
-  return netlist_.shift_by("magnitude", power, places, ufixed(fraction(), fraction()), equation);
+  const Wire power = antilogarithm_.read(netlist_, "ANTILOG", part).front();
+  return netlist_.shift_by("magnitude", power, places, ufixed(fraction(), fraction()));
 }
 
 Wire LogReads::sum(const std::string& name, const std::vector<LogValue>& terms, const std::string& equation) {
   BUMP_ASSERT(terms.size() >= 2);
   const Netlist::Scope scope(netlist_, name);
+  const Netlist::Label label(netlist_, equation);
   Wire sum;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const std::string term = "term" + std::to_string(i + 1);
-    const Wire size = magnitude(term, terms[i], equation);
+    const Wire size = magnitude(term, terms[i]);
     const Format format = sum_format(i + 1, fraction());
     if (i == 0)
       sum = netlist_.select(term + ".signed", terms[i].negative, netlist_.negate(term + ".negated", size, format), size, format);
     else
-      sum = netlist_.add_sub(i + 1 < terms.size() ? "sum" + std::to_string(i + 1) : "dot", terms[i].negative, sum, size, format, equation);
+      sum = netlist_.add_sub(i + 1 < terms.size() ? "sum" + std::to_string(i + 1) : "dot", terms[i].negative, sum, size, format);
   }
   return sum;
 }

@@ -4,6 +4,7 @@ namespace bump {
 
 void output_log_vector(Netlist& n, const std::string& name, const PolarDirection& a, Wire normal_phi, LogReads& reads) {
   const Netlist::Scope scope(n, name);
+  const Netlist::Label label(n, "LNS step 1");
   const LogSineCosine of_theta = reads.both("LSC_THETA", a.theta);
   const LogSineCosine of_d = reads.both("LSC_D", n.sub("d", a.phi, normal_phi, n.format(normal_phi)));
   output_log(n, "G", reads.product("log_G", of_theta.sine, of_d.cosine));

@@ -46,6 +46,7 @@ MapAngles map_angles(Netlist& n, const PolarSettings& s) {
   const int bits = s.texel_vector_bits + filter_bits;
   const PolarFormats formats = pixel_polar_formats(bits, s.inverse_table_bits, s.angle_bits, "ATAN_MAP");
   const VectorWires texel = input_vector(n, "map", sfixed(bits, bits - 1));
+  const Netlist::Label label(n, "phi, theta of a vector texel");
   n.begin_addition();
   const PolarWires polar = polar_angles(n, "map_polar", texel, formats, formats.magnitude.step());
   n.end_addition();
@@ -61,10 +62,12 @@ void output_map_angles(Netlist& n, const PolarSettings& s) {
 
 Wire turned_azimuth(Netlist& n, Wire phi, const PolarSettings& s) {
   const Format map_phi = s.map_phi();
+  Netlist::Label label(n, "mirror flag");
   n.begin_addition();
   if (s.mirror)
     phi = n.select("phi_unmirrored", n.is_negative("is_mirrored", n.input("mirror", turns(2))), n.negate("phi_mirrored", phi, map_phi), phi,
                    map_phi);
+  label.next("in-plane angle alpha");
   if (s.frame != InPlane::none)
     phi = n.add("phi_turned", phi, n.input("alpha", s.input_angle()), turns(std::max(map_phi.width, s.angle_bits)));
   n.end_addition();

@@ -51,8 +51,8 @@ RotationTables rotation_tables(const RotationParameters& p) {
 }
 
 void output_reference(Netlist& n, const std::string& name, Wire x, Wire y, Wire z, const RotationParameters& p, const RotationTables& t) {
-  n.output(name + "_ref.phi", azimuth(n, name + ".phi_ref", y, x, t.azimuth));
-  n.output(name + "_ref.theta", arc_cosine(n, name + ".theta_ref", z, t.arc_cosine, p.inner_angle()));
+  n.output(name + "_ref.phi", azimuth(n, name + ".phi_ref", y, x, t.azimuth, "phi' = atan2(y', x')"));
+  n.output(name + "_ref.theta", arc_cosine(n, name + ".theta_ref", z, t.arc_cosine, p.inner_angle(), "theta' = acos z'"));
 }
 
 Design rotation_design(const RotationParameters& p, Netlist environment, const Material& material) {

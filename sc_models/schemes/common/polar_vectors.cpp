@@ -72,6 +72,7 @@ Netlist conversion_unit(const PolarSettings& p, NormalAs normal_as) {
   };
   VectorWires normal;
   PolarWires polar_normal;
+  Netlist::Label label(n, "phi, theta of N");
   if (normal_as == NormalAs::angles) {
     normal = input_vector(n, "N", component);
     if (follows_chart(p))
@@ -79,9 +80,12 @@ Netlist conversion_unit(const PolarSettings& p, NormalAs normal_as) {
     else
       polar_normal = deliver("N", polar_angles(n, "N_polar", normal, formats, axis_limit));
   }
-  for (const std::string name : {"L", "H"})
+  for (const std::string name : {"L", "H"}) {
+    label.next("phi, theta of " + name);
     deliver(name, polar_angles(n, name + "_polar", input_vector(n, name, component), formats, axis_limit));
+  }
   if (normal_as == NormalAs::matrix || p.frame != InPlane::pixel) return n;
+  label.next("in-plane angle alpha");
   n.begin_addition();
   n.output("alpha", in_plane_angle(n, "frame", normal, polar_normal, input_vector(n, "T", component), formats, product, false));
   n.end_addition();

@@ -17,7 +17,7 @@ PlaneWires projected_plane(Netlist& n, const std::string& name, const PolarDirec
 ProjectedWires projected(Netlist& n, const std::string& name, const PolarDirection& a, Wire normal_phi, SineReads& reads) {
   const PlaneWires plane = projected_plane(n, name, a, normal_phi, reads);
   const Netlist::Scope scope(n, name);
-  return {plane.G, plane.K, reads.cosine("COS_THETA", a.theta)};
+  return {plane.G, plane.K, reads.cosine("COS_THETA", a.theta, "YP6 step 1")};
 }
 
 PolarDirection input_polar(Netlist& n, const std::string& name, const SineReads& reads) {
@@ -26,7 +26,8 @@ PolarDirection input_polar(Netlist& n, const std::string& name, const SineReads&
 
 TurnedNormalWires turned_normal(Netlist& n, Wire psi, Wire latitude, Wire normal_theta, SineReads& reads) {
   const Netlist::Scope scope(n, "N");
-  const Wire Psi = reads.plus("Psi", psi, normal_theta);
+  const Netlist::Label label(n, "YP6 step 4");
+  const Wire Psi = reads.plus("Psi", psi, normal_theta, "YP6 step 3");
   const SineCosine P = reads.both("SC_P", reads.plus("P", Psi, latitude));
   const SineCosine M = reads.both("SC_M", reads.minus("M", Psi, latitude));
   TurnedNormalWires t;

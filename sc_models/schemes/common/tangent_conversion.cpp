@@ -50,19 +50,26 @@ class Conversion {
   void convert(const std::string& name) {
     const VectorWires v = input_vector(n_, name, component_);
     const Netlist::Scope scope(n_, name);
+    Netlist::Label label(n_, "logarithms of x, y, z");
     const Wire x = n_.table("LOG_x", logarithm_, v.x).front(), y = n_.table("LOG_y", logarithm_, v.y).front(),
                z = n_.table("LOG_z", logarithm_, v.z).front();
+    label.next("s = |lx - lz|");
     const Wire x_less_z = n_.sub("x_less_z", x, z, difference_);
-    const std::vector<Wire> polar = n_.table("POLAR", polar_, exponent("s", x_less_z));
+    const Wire s = exponent("s", x_less_z);
+    label.next("psi from atan 2^-s");
+    const std::vector<Wire> polar = n_.table("POLAR", polar_, s);
     // Of |x| > |z| the logarithm of x is the smaller.
     const Wire steep = n_.is_negative("is_steep", x_less_z);
+    label.next("-log2 sqrt(x^2 + z^2)");
     const Wire longer = n_.select("longer", steep, x, z, log_);
     const Wire distance = n_.sub("distance", longer, polar[1], difference_);
+    label.next("psi from atan 2^-s");
     const Wire octant = n_.shift("octant", polar[0], 0, angle_);
     const Wire quadrant = quarter_less_if("quadrant", steep, octant);
     const Wire half_turn = n_.half_turn("opposite", n_.negate("minus", quadrant, angle_));
     const Wire upper = n_.select("upper", n_.is_negative("z_negative", v.z), half_turn, quadrant, angle_);
     n_.output("psi", signed_as("psi", v.x, upper));
+    label.next("b from atan 2^-t");
     const Wire y_less = n_.sub("y_less_distance", y, distance, wide(difference_));
     const Wire rise = n_.shift("rise", n_.table("ATAN", arc_tangent_, exponent("t", y_less)).front(), 0, angle_);
     n_.output("b", signed_as("b", v.y, quarter_less_if("latitude", n_.is_negative("is_high", y_less), rise)));

@@ -55,12 +55,14 @@ Netlist projected_illumination_unit(const YPoleParameters& p, const NormalFormat
   const VectorWires light = input_projected("L_turned"), half = input_projected("H_turned");
   const Wire a = n.input("N_turned.a", normal.a), s = n.input("N_turned.s", normal.s), c = n.input("N_turned.c", normal.c);
   const VectorWires bumped{a, s, c};
+  const Netlist::Label label(n, "G a + K s + z c");
   const Wire n_l = dot_of(n, "N_L", light, bumped, p), n_h = dot_of(n, "N_H", half, bumped, p);
   output_intensity(n, n_l, n_h, p, material);
   return n;
 }
 
 void output_intensity(Netlist& n, Wire n_l, Wire n_h, const YPoleParameters& p, const Material& material) {
+  const Netlist::Label label(n, "Lee Eq 2");
   const int fraction = n.format(n_l).fraction;
   const Format index = clamped_dot_format(fraction);
   const auto light = [&](const char* name, const TablePtr& table, const char* clamped, Wire dot) {
@@ -68,7 +70,7 @@ void output_intensity(Netlist& n, Wire n_l, Wire n_h, const YPoleParameters& p, 
   };
   const Wire diffuse = light("DIFF", diffuse_table(index, p.light_table_bits, material, p.light_word_bits), "N_L.lit", n_l);
   const Wire specular = light("SPEC", specular_table(index, p.light_table_bits, material, p.light_word_bits), "N_H.lit", n_h);
-  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(p.light_word_bits), "Lee Eq 2"));
+  n.output("intensity", n.add("intensity", diffuse, specular, intensity_format(p.light_word_bits)));
 }
 
 double y_pole_floor_db(const YPoleParameters& p, const Material& material) {

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586476925;
 constexpr int guard_bits = 2;  // of products before they are summed
+constexpr const char* turned_label = "texel turned by alpha";
 
 /// N' along (e_theta, e_phi) from that along (T, B): T = e_phi turns them by a quarter.
 glm::dvec2 along_axes(const glm::dvec3& normal, bool turned) {
@@ -22,8 +23,14 @@ Format texel_format(int bits) {
   return angle(bits, bits + 1);
 }
 
+Wire mirror_flag(Netlist& n) {
+  const Netlist::Label label(n, "mirror flag");
+  return n.is_negative("is_mirrored", n.input("mirror", turns(2)));
+}
+
 /// The angle where `flag` is clear, its negative where it is set.
 Wire negated_if(Netlist& n, const std::string& name, Wire flag, Wire a, const Format& format) {
+  const Netlist::Label label(n, "mirror flag");
   return n.select(name + "_unmirrored", flag, n.negate(name + "_mirrored", a, format), a, format);
 }
 
@@ -48,6 +55,7 @@ TurnedWires turned_plane(Netlist& n, Wire x, Wire y, Wire alpha, const TablePtr&
 /// N' of angles turned by alpha about z.
 YPoleWires turned_texel(Netlist& n, const YPoleWires& texel, Wire alpha, const YPoleSettings& s, const TurnWidths& widths) {
   const Netlist::Scope scope(n, "turned");
+  const Netlist::Label label(n, turned_label);
   const int w = widths.word_bits;
   const Format in = s.input_angle(), component = sfixed(w + 2, w + 1), sum = sfixed(w + 2, w), result = sfixed(w + 2, w + 1);
   const TablePtr sine_cosine = turn_table(s, widths);
@@ -155,7 +163,7 @@ YPoleWires y_pole_texel(Netlist& n, const YPoleSettings& s, const TurnWidths& wi
   n.begin_addition();
   if (s.mirror) {
     // B points the other way: n_B is -x where T = e_phi, else y.
-    const Wire mirrored = n.is_negative("is_mirrored", n.input("mirror", turns(2)));
+    const Wire mirrored = mirror_flag(n);
     Wire& across = s.chart == Chart::parallel ? texel.psi : texel.latitude;
     across = negated_if(n, s.chart == Chart::parallel ? "psi" : "latitude", mirrored, across, in);
   }
@@ -172,13 +180,14 @@ VectorTexelWires vector_texel(Netlist& n, const YPoleSettings& s, const TurnWidt
   n.begin_addition();
   if (s.mirror) {
     const bool turned = s.chart == Chart::parallel && s.texel != TexelAs::tangent_vector;
-    const Wire mirrored = n.is_negative("is_mirrored", n.input("mirror", turns(2)));
+    const Wire mirrored = mirror_flag(n);
     Wire& across = turned ? v.x : v.y;
     across = negated_if(n, turned ? "x" : "y", mirrored, across, s.component());
   }
   if (s.chart == Chart::any) {
     const Wire alpha = n.input("alpha", s.input_angle());
     const Netlist::Scope scope(n, "turned");
+    const Netlist::Label label(n, turned_label);
     const TurnedWires turned = turned_plane(n, v.x, v.y, alpha, turn_table(s, widths), widths);
     v.x = turned.along_theta;
     v.y = turned.along_phi;

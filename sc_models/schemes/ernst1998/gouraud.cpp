@@ -40,6 +40,7 @@ Netlist environment_unit(const ErnstParameters& p) {
   const CartesianWidths& w = p.widths;
   const int fraction = w.product_fraction();
   const VectorWires light = input_vector(n, "L_ts", w.component()), texel = input_vector(n, "map", w.product());
+  const Netlist::Label label(n, "N'.L' less max(0, L'z)");
   const Wire bumped = clamp_dot(n, "N_L_lit", dot_product(n, "N_L", texel, light, w.product(2), w.product(2)), fraction);
   const Wire flat = clamp_dot(n, "flat", light.z, fraction);
   n.output("relief", n.sub("relief", bumped, flat, w.product(0)));
@@ -51,6 +52,7 @@ Netlist illumination_unit(const ErnstParameters& p, const Material& material) {
   Netlist n("illumination");
   const Format blended = sfixed(light_format().width + 3, light_format().fraction);
   const Wire gouraud = n.input("gouraud", intensity_format()), relief = n.input("relief", p.widths.product(0));
+  const Netlist::Label label(n, "plus the Gouraud intensity");
   const Wire gain = n.mul("gain", relief, n.constant("kd", material.diffuse, light_format()), blended);
   const Wire sum = n.add("blend", gouraud, gain, blended);
   n.output("intensity", n.clamp("intensity", sum, 0, intensity_format().highest(), intensity_format()));

@@ -11,6 +11,7 @@ namespace {
 Netlist environment_unit(const ErnstParameters& p) {
   Netlist n("environment");
   const TangentSpaceVectors v = transform_pixel(n, p.widths);
+  const Netlist::Label label(n, "normaliser, Lee 2007 sec. 6");
   // One normaliser for all three components, as Lee 2007 counts it, although c = 1 would spare its square.
   const Format slope = p.widths.product(p.slopes.integer_bits);
   const Format component = p.slopes.integer_bits > 0 ? slope : p.widths.product();

@@ -19,6 +19,7 @@ struct Matrix {
 
 /// M v, rows T, B, N: 9 multipliers, 6 adders.
 VectorWires transformed(Netlist& n, const std::string& name, const VectorWires& v, const Matrix& m) {
+  const Netlist::Label label(n, "M L, M H, M N");
   return {dot_product(n, name + ".x", v, m.tangent, m.product, m.product), dot_product(n, name + ".y", v, m.binormal, m.product, m.product),
           dot_product(n, name + ".z", v, m.normal, m.product, m.product)};
 }
@@ -26,8 +27,10 @@ VectorWires transformed(Netlist& n, const std::string& name, const VectorWires& 
 /// A of polar angles as a vector: 2 multipliers, 2 tables.
 VectorWires cartesian(Netlist& n, const std::string& name, const TablePtr& sine_cosine, const KimParameters& p) {
   const Netlist::Scope scope(n, name);
+  Netlist::Label label(n, "sine and cosine of phi, theta");
   const std::vector<Wire> of_phi = n.table("SC_PHI", sine_cosine, n.input("phi", p.input_angle()));
   const std::vector<Wire> of_theta = n.table("SC_THETA", sine_cosine, n.input("theta", p.input_angle()));
+  label.next("L and H as vectors");
   const Format component = n.format(of_phi[0]);
   return {n.mul("x", of_theta[0], of_phi[1], component), n.mul("y", of_theta[0], of_phi[0], component), of_theta[1]};
 }
@@ -53,22 +56,26 @@ void record_matrix(Netlist& n, const KimParameters& p) {
   m.product = sfixed(fraction + 2, fraction);
   for (const std::string name : {"L", "H"}) {
     const VectorWires v = transformed(n, name + "_ref", cartesian(n, name, sine_cosine, p), m);
-    n.output(name + "_ref.theta", arc_cosine(n, name + ".theta_ref", v.z, arc_cosine_rom, inner));
+    n.output(name + "_ref.theta", arc_cosine(n, name + ".theta_ref", v.z, arc_cosine_rom, inner, "theta' = acos z'"));
+    const Netlist::Label label(n, "phi' = atan2(y', x')");
     n.begin_addition();
     n.output(name + "_ref.phi", polar_angle(n, name + ".phi_ref", v.y, v.x, arc_tangent));
     n.end_addition();
   }
   output_vector(n, "N_ref", transformed(n, "N_ref", m.normal, m));
   const MapAngles map = map_angles(n, p);
+  const Netlist::Label label(n, "N' for Eqs 3, 4");
   output_normal(n, n.shift("phi", map.phi, 0, inner), n.shift("theta", map.theta, 0, inner));
 }
 
 /// n' = n + (dphi, dtheta): 2 adders.
 void record_direct(Netlist& n, const KimParameters& p) {
   const Format inner = p.inner_angle();
+  Netlist::Label label(n, "L, H in object space");
   for (const std::string name : {"L", "H"})
     for (const std::string part : {".phi", ".theta"})
       n.output(name + "_ref" + part, n.shift(name + part + "_word", n.input(name + part, p.input_angle()), 0, inner));
+  label.next("n' = n + (dphi, dtheta)");
   const Wire phi = n.add("phi", n.input("N.phi", p.input_angle()), n.input("map.dphi", p.change_of_phi()), inner);
   const Wire theta = n.add("theta", n.input("N.theta", p.input_angle()), n.input("map.dtheta", p.change_of_theta()), inner);
   output_normal(n, phi, theta);

@@ -19,20 +19,20 @@ class DotProducts {
     both_ = sine_cosine_table("SC_INNER", p.inner_angle(), p.table_bits, p.word_bits);
   }
 
-  SineCosine read(const std::string& name, Wire theta, const std::string& equation) {
+  SineCosine read(const std::string& name, Wire theta) {
     if (p_.tables == Tables::separate)
-      return {n.table("SIN_" + name, sine_, theta, equation).front(), n.table("COS_" + name, cosine_, theta, equation).front()};
-    const std::vector<Wire> columns = n.table("SC_" + name, both_, theta, equation);
+      return {n.table("SIN_" + name, sine_, theta).front(), n.table("COS_" + name, cosine_, theta).front()};
+    const std::vector<Wire> columns = n.table("SC_" + name, both_, theta);
     return {columns[0], columns[1]};
   }
 
   /// N'.V, in [-1, 1].
-  Wire dot(const SineCosine& of_vector, const SineCosine& of_normal, Wire phi_difference, const std::string& equation) {
+  Wire dot(const SineCosine& of_vector, const SineCosine& of_normal, Wire phi_difference) {
     const Format product = sfixed(p_.word_bits + 3, p_.word_bits + 2), sum = sfixed(p_.word_bits + 4, p_.word_bits + 2);
-    const Wire cosine = n.table("COS_PHI", cosine_, phi_difference, equation).front();
-    const Wire along = n.mul("cosines", of_vector.cosine, of_normal.cosine, product, equation);
-    const Wire sines = n.mul("sines", of_vector.sine, of_normal.sine, product, equation);
-    return n.add("dot", along, n.mul("across", sines, cosine, product, equation), sum, equation);
+    const Wire cosine = n.table("COS_PHI", cosine_, phi_difference).front();
+    const Wire along = n.mul("cosines", of_vector.cosine, of_normal.cosine, product);
+    const Wire sines = n.mul("sines", of_vector.sine, of_normal.sine, product);
+    return n.add("dot", along, n.mul("across", sines, cosine, product), sum);
   }
 
  private:
@@ -65,10 +65,11 @@ Netlist illumination_unit(const KimParameters& p, const Material& material) {
     const Direction& v = i == 0 ? light : half;
     const Direction& m = i == 0 ? normal : normal_again;
     const Netlist::Scope scope(n, i == 0 ? "N_L" : "N_H");
-    const SineCosine of_vector = products.read("V", v.theta, equation);
-    if (i == 0 || !shared) of_normal = products.read("N", m.theta, equation);
-    const Wire phi_difference = n.sub("phi_difference", v.phi, m.phi, p.inner_angle(), equation);
-    lit[i] = clamp_dot(n, "lit", products.dot(of_vector, of_normal, phi_difference, equation), fraction);
+    const Netlist::Label label(n, equation);
+    const SineCosine of_vector = products.read("V", v.theta);
+    if (i == 0 || !shared) of_normal = products.read("N", m.theta);
+    const Wire phi_difference = n.sub("phi_difference", v.phi, m.phi, p.inner_angle());
+    lit[i] = clamp_dot(n, "lit", products.dot(of_vector, of_normal, phi_difference), fraction);
   }
   const Format index = clamped_dot_format(fraction);
   const Wire diffuse = n.table("DIFF", diffuse_table(index, p.light_table_bits, material, p.light_word_bits), lit[0], "Eq 2").front();

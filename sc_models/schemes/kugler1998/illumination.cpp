@@ -28,14 +28,19 @@ Netlist address_unit(const KuglerParameters& p) {
   const int trigonometric_bits = std::min(p.table_bits, p.angle_bits - 2);
   const TablePtr sine = sine_table("SIN", p.turn(), trigonometric_bits, w), cosine = cosine_table("COS", p.turn(), trigonometric_bits, w);
   const Wire theta = n.input("bumped.theta", p.turn()), phi = n.input("bumped.phi", p.turn());
+  Netlist::Label label(n, "sin, cos of theta', phi'");
   const Wire sine_theta = n.table("SIN_theta", sine, theta).front(), z = n.table("COS_theta", cosine, theta).front();
   const Wire sine_phi = n.table("SIN_phi", sine, phi).front(), cosine_phi = n.table("COS_phi", cosine, phi).front();
+  label.next("x, y of theta', phi'");
   const Wire x = n.mul("x", sine_theta, cosine_phi, n.format(z)), y = n.mul("y", sine_theta, sine_phi, n.format(z));
   const TablePtr reciprocal = paraboloid_table(p);
+  label.next("q = 1 / (1 + abs z)");
   const Wire sum = n.add("one_plus_z", n.absolute("abs_z", z, ufixed(w, w)), n.constant("one", 1, ufixed(1, 0)), reciprocal->index);
   const Wire q = n.table("RECIP_1", reciprocal, sum).front();
   const Format coordinate = sfixed(w + 2, w);
+  label.next("s = x q, t = y q");
   const Wire s = n.mul("s", x, q, coordinate), t = n.mul("t", y, q, coordinate);
+  label.next("base + (hemisphere, t, s)");
   const Wire below = n.is_negative("below", z);
 
   const Wire hemisphere = n.shift("hemisphere", below, rows + columns, ufixed(1, -rows - columns));
@@ -110,6 +115,7 @@ Netlist illumination_unit(const KuglerParameters& p, const Material& material) {
   Netlist n("illumination");
   const Format word = p.light_word(), sum = ufixed(15 + p.light_integer_bits + 5, 15);
   const Wire diffuse = n.input("light.diffuse", word), specular = n.input("light.specular", word);
+  const Netlist::Label label(n, "intensity = D + ks S");
   const Wire gain = n.constant("ks", material.specular, ufixed(16, 12));
   n.output("intensity", n.add("intensity", diffuse, n.mul("shine", specular, gain, sum), sum));
   return n;

@@ -19,6 +19,7 @@ PolarWires axis_distance(Netlist& n, const VectorWires& normal, const Format& sq
 /// psi per pixel from the interpolated vectors.
 Netlist conversion_unit(const KuglerParameters& p) {
   Netlist n("conversion");
+  const Netlist::Label label(n, "psi, from e_theta to T");
   constexpr int bits = KuglerParameters::component_bits;
   const PolarFormats formats = pixel_polar_formats(bits, p.table_bits, p.angle_bits, "ATAN_PSI");
   const VectorWires normal = input_vector(n, "N", p.component());

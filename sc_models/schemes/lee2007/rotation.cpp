@@ -9,6 +9,8 @@ namespace bump::lee2007 {
 
 namespace {
 
+constexpr const char* exact_x_label = "x_prime = exact";
+
 /// A direction in polar angles: phi from +x, theta from +z, turns.
 struct Direction {
   Wire phi, theta;
@@ -21,6 +23,7 @@ class Rotation {
 
   /// Eqs 5-7 up to the arc sine, and the numerator of Eqs 9 and 27.
   void first_rotation(const Direction& a, const Direction& normal) {
+    const Netlist::Label label(n, "Eq 9");
     // As printed, X and Y are halves: d must then not wrap, or its half would jump by half a turn.
     const Format sum = p.half_xy ? angle(p.angle_bits + 2, p.angle_bits) : p.input_angle();
     const Wire d = n.sub("d", a.phi, normal.phi, sum, "Eq 6");
@@ -38,7 +41,8 @@ class Rotation {
 
   /// Z = theta_x - theta_N, which takes the projected vector for the vector.
   void angle_in_plane(const Direction& a, const Direction& normal) {
-    const Wire principal = widened("theta_x_principal", n.table("ASIN", t.arc_sine, sx_, "Eq 7").front());
+    const Netlist::Label label(n, "Eq 7");
+    const Wire principal = widened("theta_x_principal", n.table("ASIN", t.arc_sine, sx_).front());
     Wire theta_x = principal;
     if (p.hemisphere_bit)
       theta_x =
@@ -50,13 +54,16 @@ class Rotation {
 
   /// Z = asin(x') with the true z of A: 2 multipliers more, and 2 multipliers and an adder for the hemisphere.
   void angle_in_plane_exact(const Direction& a, const std::vector<Wire>& of_normal) {
+    Netlist::Label label(n, exact_x_label);
     const Wire cos_a = n.table("COS_A", t.cosine_input, a.theta).front();
     const Format product = half_sum_format(p), sum = sfixed(p.word_bits + 3, p.word_bits + 1);
     const Wire x = n.sub("x_prime", n.mul("sx_cos", sx_, of_normal[1], product), n.mul("cos_sin", cos_a, of_normal[0], product), sum);
+    label.next("Eq 7");
     const Wire principal =
-        widened("Z_principal", n.table("ASIN", t.arc_sine, n.clamp("x_prime_clamped", x, -1, 1, half_sum_format(p)), "Eq 7").front());
+        widened("Z_principal", n.table("ASIN", t.arc_sine, n.clamp("x_prime_clamped", x, -1, 1, half_sum_format(p))).front());
     z_ = principal;
     if (!p.hemisphere_bit) return;
+    label.next(exact_x_label);
     const Wire z = n.add("z_prime", n.mul("sx_sin", sx_, of_normal[0], product), n.mul("cos_cos", cos_a, of_normal[1], product), sum);
     z_ = n.select("Z", n.is_negative("below_horizon", z), opposite("Z", principal), principal, p.inner_angle());
   }
@@ -69,15 +76,17 @@ class Rotation {
 
   /// Eq 9, folded over the turn by the signs of sin Z and y.
   Wire azimuth() {
-    const Wire tangent = n.mul("tangent", twice_abs_y_, half_over_sin_, tangent_format(p), "Eq 9");
-    const Wire first = widened("phi_first", n.table("ATAN", t.arc_tangent, tangent, "Eq 9").front());
+    const Netlist::Label label(n, "Eq 9");
+    const Wire tangent = n.mul("tangent", twice_abs_y_, half_over_sin_, tangent_format(p));
+    const Wire first = widened("phi_first", n.table("ATAN", t.arc_tangent, tangent).front());
     const Wire left = p.quadrant_fix ? opposite("phi", first) : n.negate("phi_principal", first, p.inner_angle());
     const Wire upper = n.select("phi_upper", n.is_negative("Z_negative", z_), left, first, p.inner_angle());
-    return n.select("phi_ref", y_negative_, n.negate("phi_lower", upper, p.inner_angle()), upper, p.inner_angle(), "Eq 9");
+    return n.select("phi_ref", y_negative_, n.negate("phi_lower", upper, p.inner_angle()), upper, p.inner_angle());
   }
 
   Wire polar_angle() {
-    const Wire y_k = n.mul("y_k", twice_abs_y_, half_over_cos_, tangent_format(p), "Eq 27");
+    const Netlist::Label label(n, "Eq 27");
+    const Wire y_k = n.mul("y_k", twice_abs_y_, half_over_cos_, tangent_format(p));
     // E5: the clamp saturates at 1 itself, whose top bit overrules the table (asin of the last entry's centre would be 86 degrees, not 90).
     const Wire clamped = n.clamp("y_k_clamped", y_k, 0, 1, ufixed(p.word_bits + 1, p.word_bits));
     y_k_is_one_ = n.is_negative("y_k_is_one", n.shift("y_k_top_bit", clamped, 0, sfixed(p.word_bits + 1, p.word_bits)));
@@ -97,7 +106,8 @@ class Rotation {
 
   /// asin(y_k) read from a table, `at_one` where the clamp has saturated.
   Wire arc_of_y_k(const std::string& name, const Wire& read, double at_one, const Format& format) {
-    return n.select(name, y_k_is_one_, n.constant(name + "_at_one", at_one, format), read, format, "Eq 26");
+    const Netlist::Label label(n, "Eq 26");
+    return n.select(name, y_k_is_one_, n.constant(name + "_at_one", at_one, format), read, format);
   }
   Wire proportion(const std::string& name) {
     return arc_of_y_k(name, n.table("T_prop", t.proportion, y_k_index_, "Eq 26").front(), 1, ufixed(p.word_bits + 1, p.word_bits));
@@ -105,28 +115,32 @@ class Rotation {
 
   /// Eqs 16 and 26 with |Z| and |y_k|.
   Wire linear() {
+    const Netlist::Label label(n, "Eq 16");
     const Wire prop = proportion("prop");
     const Wire z = magnitude_of_Z();
-    const Wire rest = n.sub("quarter_less_Z", quarter(p.inner_angle()), z, p.inner_angle(), "Eq 16");
-    return n.add("theta_ref", z, n.mul("share", rest, prop, p.inner_angle(), "Eq 16"), p.inner_angle(), "Eq 16");
+    const Wire rest = n.sub("quarter_less_Z", quarter(p.inner_angle()), z, p.inner_angle());
+    return n.add("theta_ref", z, n.mul("share", rest, prop, p.inner_angle()), p.inner_angle());
   }
 
   /// Eqs 16 and 26 to the letter: prop and Z keep their signs.
   Wire linear_signed() {
+    Netlist::Label label(n, "Eq 26");
     const Format fraction = sfixed(p.word_bits + 2, p.word_bits);
     const Wire prop = n.shift("prop_signed", proportion("prop_magnitude"), 0, fraction);
     const Wire by_y = n.select("prop_by_y", y_negative_, n.negate("prop_negative", prop, fraction), prop, fraction);
     const Wire by_cos =
-        n.select("prop", n.is_beyond_quarter("cos_Z_negative", z_), n.negate("prop_opposite", by_y, fraction), by_y, fraction, "Eq 26");
+        n.select("prop", n.is_beyond_quarter("cos_Z_negative", z_), n.negate("prop_opposite", by_y, fraction), by_y, fraction);
+    label.next("Eq 16");
     const Format wide = angle(p.word_bits + 3, p.word_bits + 2);  // 90 - Z may exceed half a turn
-    const Wire rest = n.sub("quarter_less_Z", quarter(wide), z_, wide, "Eq 16");
-    return n.add("theta_ref", z_, n.mul("share", rest, by_cos, wide, "Eq 16"), p.inner_angle(), "Eq 16");
+    const Wire rest = n.sub("quarter_less_Z", quarter(wide), z_, wide);
+    return n.add("theta_ref", z_, n.mul("share", rest, by_cos, wide), p.inner_angle());
   }
 
   /// acos(cos Z cos w), w = asin(y_k), as 90 degrees less the arc sine of [cos(|Z| + w) + cos(|Z| - w)] / 2.
   Wire spherical() {
-    const Wire w =
-        arc_of_y_k("w", n.table("ASIN_YK", t.arc_sine_quarter, y_k_index_).front(), 0.25, uangle(p.word_bits + 1, p.word_bits + 2));
+    const Netlist::Label label(n, "Eq 16, exact");
+    const Wire w = arc_of_y_k("w", n.table("ASIN_YK", t.arc_sine_quarter, y_k_index_, "Eq 26").front(), 0.25,
+                              uangle(p.word_bits + 1, p.word_bits + 2));
     const Wire z = magnitude_of_Z();
     const Wire sum = n.table("COS_PLUS", t.cosine_inner, n.add("Z_plus_w", z, w, p.inner_angle())).front();
     const Wire difference = n.table("COS_MINUS", t.cosine_inner, n.sub("Z_minus_w", z, w, p.inner_angle())).front();
@@ -166,7 +180,7 @@ Netlist environment_unit(const LeeParameters& p) {
   const Direction normal = input_direction(n, "N", p), light = input_direction(n, "L", p), half = input_direction(n, "H", p);
   const RotationTables tables = rotation_tables(p);
   std::vector<Wire> of_normal;
-  if (p.exact_x_prime) of_normal = n.table("N.SC", tables.sine_cosine, normal.theta);
+  if (p.exact_x_prime) of_normal = n.table("N.SC", tables.sine_cosine, normal.theta, exact_x_label);
   for (const auto& [name, a] : {std::pair<std::string, Direction>{"L", light}, {"H", half}}) {
     const Direction rotated = rotate(n, name, a, normal, of_normal, p, tables);
     n.output(name + "_ref.phi", rotated.phi);

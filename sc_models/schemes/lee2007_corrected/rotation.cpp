@@ -38,13 +38,18 @@ void rotate(Netlist& n, const std::string& name, const PolarDirection& a, const 
     const std::vector<Wire> of_Y = n.table("SC_Y", t.sine_cosine, n.sub("Y", a.theta, d, p.input_angle(), "Eq 6"), "Eqs 7, 9");
     const Wire G = half_of("G", n.add("twice_G", of_X[0], of_Y[0], sum, "Eq 7"), "Eq 7");
     y = half_of("K", n.sub("twice_K", of_Y[1], of_X[1], sum, "Eq 9"), "Eq 9");
+    Netlist::Label label(n, "psi = atan2(G, cos theta_A)");
     const Wire cos_theta = n.table("COS_THETA", own.cosine, a.theta).front();
     const Wire psi = azimuth(n, "psi", G, cos_theta, t.azimuth);
+    label.next("b = asin K");
     const Wire b = n.table("ASIN", own.arc_sine, y).front();
     const Wire Z = n.sub("Z", psi, normal.theta, inner, "Eq 8");
+    label.next("sin, cos of Z + b, Z - b");
     const std::vector<Wire> of_plus = n.table("SC_PLUS", own.sine_cosine, n.add("Z_plus_b", Z, b, inner));
     const std::vector<Wire> of_minus = n.table("SC_MINUS", own.sine_cosine, n.sub("Z_minus_b", Z, b, inner));
+    label.next("x' = (sin(Z+b) + sin(Z-b))/2");
     x = half_of("x_prime", n.add("twice_x", of_plus[0], of_minus[0], sum));
+    label.next("z' = (cos(Z+b) + cos(Z-b))/2");
     z = half_of("z_prime", n.add("twice_z", of_plus[1], of_minus[1], sum));
   }
   output_reference(n, name, x, y, z, p, t);

@@ -16,9 +16,10 @@ Netlist environment_unit(const LnsgParameters& p) {
   const MapAngles texel = map_angles(n, p);
   const Wire ph = turned_azimuth(n, texel.phi, p);
   const Netlist::Scope scope(n, "N");
+  const Netlist::Label label(n, "LNSG step 2");
   const LogSineCosine of_theta = reads.both("LSC_THETA", normal.theta),
                       of_map = reads.both("LSC_MAP", n.shift("theta_g", texel.theta, 0, in)),
-                      of_ph = reads.both("LSC_PH", n.shift("ph", ph, 0, in));
+                      of_ph = reads.both("LSC_PH", n.shift("ph", ph, 0, in, "LNSG step 1"));
   const LogValue x = reads.product("log_x", of_map.sine, of_ph.cosine);
   LogValue x_sin = reads.product("log_x_sin", x, of_theta.sine);
   x_sin.negative = n.exclusive_or("x_sin_subtracted", x_sin.negative, n.constant("one", 1, flag()));
@@ -41,12 +42,12 @@ Netlist illumination_unit(const LnsgParameters& p, const Material& material) {
   const auto dot = [&](const std::string& name, const std::string& vector) {
     const LogVector a = input_log_vector(n, vector, widths);
     const auto product = [&](const char* term, const LogValue& of_a, const LogValue& of_normal) {
-      return reads.product(name + "." + term, of_a, of_normal, "LNSG");
+      return reads.product(name + "." + term, of_a, of_normal, "LNSG step 4");
     };
     return reads.sum(name,
                      {product("G_x", a.G, x_cos), product("z_x", a.z, x_sin), product("K_y", a.K, y), product("G_z", a.G, z_sin),
                       product("z_z", a.z, z_cos)},
-                     "LNSG");
+                     "LNSG steps 3, 4");
   };
   const Wire n_l = dot("N_L", "L"), n_h = dot("N_H", "H");
   YPoleParameters light;

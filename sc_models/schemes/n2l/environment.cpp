@@ -15,14 +15,17 @@ Wire longitude(Netlist& n, Wire Psi, Wire b, const N2lParameters& p) {
   const Netlist::Scope scope(n, "longitude");
   const Format in = p.input_angle(), inner = p.inner_angle();
   const int f = p.log_bits, k = p.table_bits;
+  Netlist::Label label(n, "N2L step 2");
   const Wire log_tangent = n.table("LTAN_B", log_tangent_table("LTAN", in, k, f), b).front();
   const Wire log_sine = n.table("LSIN_PSI", log_sine_table("LSIN", in, k, f), Psi).front();
   const Wire x = n.sub("x", log_tangent, log_sine, sfixed(2 + log_whole_bits + f, f));
   const TablePtr arc_tangent = arc_tangent_of_power_table("ATAN_POWER", ufixed(1 + log_whole_bits + f, f), p.inverse_table_bits,
                                                           uangle(p.word_bits, p.word_bits + 3));
+  label.next("N2L step 3");
   const Wire octant = n.shift("octant", n.table("ATAN_POWER", arc_tangent, n.absolute("abs_x", x, arc_tangent->index)).front(), 0, inner);
   const Wire steep = n.sub("quarter_less", n.constant("quarter", 0.25, inner), octant, inner);
   const Wire quadrant = n.select("quadrant", n.is_negative("is_steep", x), steep, octant, inner);
+  label.next("N2L step 4");
   const Wire behind = n.exclusive_or("behind", n.is_negative("sin_Psi_negative", Psi), n.is_beyond_quarter("cos_b_negative", b));
   const Wire upper = opposite_if(n, "upper", behind, quadrant);
   return n.select("angle", n.is_negative("sin_b_negative", b), n.negate("lower", upper, inner), upper, inner);
@@ -36,8 +39,9 @@ Netlist environment_unit(const N2lParameters& p) {
   const int fine = p.word_bits + pole_bits;
   const PolarDirection normal = input_direction(n, "N", in);
   const YPoleWires texel = y_pole_texel(n, p, p.turn());
-  const Wire Psi = n.add("N.Psi", texel.psi, normal.theta, in);
-  n.output("N_object.phi", n.add("phi", longitude(n, Psi, texel.latitude, p), normal.phi, inner));
+  const Wire Psi = n.add("N.Psi", texel.psi, normal.theta, in, "N3 step 2");
+  n.output("N_object.phi", n.add("phi", longitude(n, Psi, texel.latitude, p), normal.phi, inner, "N2L step 1"));
+  const Netlist::Label label(n, "N2L step 5");
   RomPorts cosine(scaled_cosine_table("COS_FINE", in, p.table_bits, {fine, 1}), p.ports);
   const Wire of_P = cosine.read(n, "N.COS_P", n.add("N.P", Psi, texel.latitude, in)).front(),
              of_M = cosine.read(n, "N.COS_M", n.sub("N.M", Psi, texel.latitude, in)).front();

@@ -45,6 +45,7 @@ Netlist environment_unit(const PeercyParameters& p) {
     v.light = input_vector(n, "L_ts", w.component());
     v.half = input_vector(n, "H_ts", w.component());
   }
+  const Netlist::Label label(n, "Fig. 3, normaliser");
   const VectorWires texel = input_vector(n, "map", n.format(v.light.x));  // one kind of normaliser for all three
   output_vector(n, "L_unit", normalise_pixel(n, "L_unit", v.light, w));
   output_vector(n, "H_unit", normalise_pixel(n, "H_unit", v.half, w));

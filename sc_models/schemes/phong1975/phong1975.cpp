@@ -11,6 +11,7 @@ namespace {
 /// Three normalisers: 9 multipliers, 6 adders, 9 dividers, 3 square roots.
 Netlist environment_unit(const CartesianWidths& widths) {
   Netlist n("environment");
+  const Netlist::Label label(n, "Peercy Fig. 1, normaliser");
   for (const char* name : {"L", "H", "N"}) {
     const std::string unit = std::string(name) + "_unit";
     output_vector(n, unit, normalise_pixel(n, unit, input_vector(n, name, widths.component()), widths));
@@ -21,7 +22,8 @@ Netlist environment_unit(const CartesianWidths& widths) {
 class Phong1975 : public Scheme {
  public:
   const SchemePage& page() const override {
-    static const SchemePage page{"phong1975", "Phong shading without bumps",
+    static const SchemePage page{"phong1975",
+                                 "Phong shading without bumps",
                                  "B.-T. Phong, Illumination for Computer Generated Pictures, 1975; hardware of M. Peercy, J. Airey, B. "
                                  "Cabral, Efficient Bump Mapping Hardware, SIGGRAPH 1997, Fig. 1",
                                  "as published (widths, illumination finish: reconstruction)",

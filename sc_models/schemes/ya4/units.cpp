@@ -26,11 +26,13 @@ Netlist environment_unit(const YPoleParameters& p) {
   const TablePtr arc_sine = arc_sine_table("ASIN", component, p.inverse_table_bits, angle(w + 1, w + 2));
   for (const auto& [name, a] : {std::pair<std::string, PolarDirection>{"L", light}, {"H", half}}) {
     const ProjectedWires of_a = projected(n, name, a, normal.phi, reads);
-    n.output(name + "_turned.psi", azimuth(n, name + ".psi", of_a.G, of_a.z, formats, "YA4"));
+    const Netlist::Label label(n, "YA4 step 1");
+    n.output(name + "_turned.psi", azimuth(n, name + ".psi", of_a.G, of_a.z, formats));
     const Wire sine = n.clamp(name + ".sine", of_a.K, -1, 1, component);
-    n.output(name + "_turned.latitude", n.shift(name + ".b", n.table(name + ".ASIN", arc_sine, sine, "YA4").front(), 0, inner));
+    n.output(name + "_turned.latitude", n.shift(name + ".b", n.table(name + ".ASIN", arc_sine, sine).front(), 0, inner));
   }
   const YPoleWires texel = y_pole_texel(n, p, p.turn());
+  const Netlist::Label label(n, "YA4 step 2");
   n.output("N_turned.psi", n.add("N.Psi", texel.psi, normal.theta, inner));
   n.output("N_turned.latitude", n.shift("N.b", texel.latitude, 0, inner));
   return n;
@@ -47,11 +49,12 @@ Netlist illumination_unit(const YPoleParameters& p, const Material& material) {
   const auto dot = [&](const std::string& name, const std::string& of) {
     const Wire psi_a = n.input(of + "_turned.psi", inner), b_a = n.input(of + "_turned.latitude", inner);
     const Netlist::Scope scope(n, name);
-    const Wire difference = r.cosine("COS_DIFFERENCE", r.minus("b_difference", b, b_a), "YA4");
-    const Wire sum = r.cosine("COS_SUM", r.plus("b_sum", b, b_a), "YA4");
-    const Wire sines = r.half_difference("sines", difference, sum, "YA4"), cosines = r.half_sum("cosines", difference, sum, "YA4");
-    const Wire along = r.cosine("COS_PSI", r.minus("psi_difference", Psi, psi_a), "YA4");
-    return n.add("dot", sines, n.mul("share", cosines, along, p.product(), "YA4"), p.product(), "YA4");
+    const Netlist::Label label(n, "YA4 step 3");
+    const Wire difference = r.cosine("COS_DIFFERENCE", r.minus("b_difference", b, b_a));
+    const Wire sum = r.cosine("COS_SUM", r.plus("b_sum", b, b_a));
+    const Wire sines = r.half_difference("sines", difference, sum), cosines = r.half_sum("cosines", difference, sum);
+    const Wire along = r.cosine("COS_PSI", r.minus("psi_difference", Psi, psi_a));
+    return n.add("dot", sines, n.mul("share", cosines, along, p.product()), p.product());
   };
   const Wire n_l = dot("N_L", "L"), n_h = dot("N_H", "H");
   output_intensity(n, n_l, n_h, p, material);

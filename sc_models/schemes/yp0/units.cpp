@@ -15,13 +15,13 @@ class Pairs {
   explicit Pairs(SineReads& reads) : reads_(reads) {}
   std::vector<Wire> cc(const std::string& of, Wire x, Wire y) {
     const Wire sum = reads_.plus(of + "_plus", x, y), difference = reads_.minus(of + "_less", x, y);
-    const Wire first = reads_.cosine("COS_" + of + "_plus", sum, "YP0");
-    return {first, reads_.cosine("COS_" + of + "_less", difference, "YP0")};
+    const Wire first = reads_.cosine("COS_" + of + "_plus", sum);
+    return {first, reads_.cosine("COS_" + of + "_less", difference)};
   }
   std::vector<Wire> ss(const std::string& of, Wire x, Wire y) {
     const Wire sum = reads_.plus(of + "_plus", x, y), difference = reads_.minus(of + "_less", x, y);
-    const Wire first = reads_.sine("SIN_" + of + "_plus", sum, "YP0");
-    return {first, reads_.sine("SIN_" + of + "_less", difference, "YP0")};
+    const Wire first = reads_.sine("SIN_" + of + "_plus", sum);
+    return {first, reads_.sine("SIN_" + of + "_less", difference)};
   }
 
  private:
@@ -45,14 +45,19 @@ Netlist environment_unit(const YPoleParameters& p) {
   Pairs pairs(r);
   const PolarDirection normal = input_polar(n, "N", r), light = input_polar(n, "L", r), half = input_polar(n, "H", r);
   const YPoleWires texel = y_pole_texel(n, p, p.turn());
-  const Wire b = texel.latitude, Psi = r.plus("N.Psi", texel.psi, normal.theta);
+  const Wire b = texel.latitude, Psi = r.plus("N.Psi", texel.psi, normal.theta, "YP6 step 3");
   for (const auto& [name, a] : {std::pair<std::string, PolarDirection>{"L", light}, {"H", half}}) {
     const Netlist::Scope scope(n, "N_" + name);
     const Wire theta = a.theta, d = r.minus("d", a.phi, normal.phi, "Lee Eq 6");
-    const Wire u = r.minus("u", theta, Psi), v = r.plus("v", theta, Psi), E = r.minus("E", d, b), F = r.plus("F", d, b);
+    Netlist::Label label(n, "YP4 step 2");
+    const Wire u = r.minus("u", theta, Psi), v = r.plus("v", theta, Psi);
+    label.next("YP0 step 2");
+    const Wire E = r.minus("E", d, b), F = r.plus("F", d, b);
     const std::vector<Wire> u_E = pairs.cc("u_E", u, E), u_F = pairs.cc("u_F", u, F), v_E = pairs.cc("v_E", v, E),
                             v_F = pairs.cc("v_F", v, F);
+    label.next("YP0 step 1");
     const std::vector<Wire> u_b = pairs.cc("u_b", u, b), v_b = pairs.cc("v_b", v, b);
+    label.next("YP0 step 3");
     const std::vector<Wire> theta_E = pairs.ss("theta_E", theta, E), theta_F = pairs.ss("theta_F", theta, F);
     const Wire eighths = r.sum("eighths", joined(u_E, u_F), joined(v_E, v_F), 3, "YP0");
     const Wire quarters = r.sum("quarters", joined(joined(u_b, v_b), theta_E), theta_F, 2, "YP0");

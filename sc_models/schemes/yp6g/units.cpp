@@ -12,19 +12,21 @@ namespace {
 /// a, s, c of N' = (phi, theta): 17 adders, 8 tables of 14 columns.
 VectorWires turned_normal(Netlist& n, Wire phi, Wire theta, Wire normal_theta, const NormalFormats& formats, SineReads& r) {
   const Netlist::Scope scope(n, "N");
+  const Netlist::Label label(n, "YP6G");
   const Wire u = r.plus("u", theta, normal_theta), v = r.minus("v", theta, normal_theta);
-  const auto both = [&](const std::string& of, Wire angle) { return r.both("SC_" + of, angle, "YP6G"); };
+  const auto both = [&](const std::string& of, Wire angle) { return r.both("SC_" + of, angle); };
   const SineCosine at_u = both("u", u), at_v = both("v", v);
   const SineCosine u_plus = both("u_plus_ph", r.plus("u_plus_ph", u, phi)), u_less = both("u_less_ph", r.minus("u_less_ph", u, phi));
   const SineCosine v_plus = both("v_plus_ph", r.plus("v_plus_ph", v, phi)), v_less = both("v_less_ph", r.minus("v_less_ph", v, phi));
-  const Wire sum = r.cosine("COS_SUM", r.plus("theta_plus_ph", theta, phi), "YP6G");
-  const Wire difference = r.cosine("COS_DIFFERENCE", r.minus("theta_less_ph", theta, phi), "YP6G");
-  const Wire a_turned = r.sum("a_turned", {u_plus.sine, u_less.sine, v_plus.sine, v_less.sine}, {}, 2, "YP6G");
-  const Wire c_turned = r.sum("c_turned", {u_plus.cosine, u_less.cosine}, {v_plus.cosine, v_less.cosine}, 2, "YP6G");
+  const char *const step_a = "YP6G step 1", *const step_s = "YP6G step 2", *const step_c = "YP6G step 3";
+  const Wire sum = r.cosine("COS_SUM", r.plus("theta_plus_ph", theta, phi, step_s), step_s);
+  const Wire difference = r.cosine("COS_DIFFERENCE", r.minus("theta_less_ph", theta, phi, step_s), step_s);
+  const Wire a_turned = r.sum("a_turned", {u_plus.sine, u_less.sine, v_plus.sine, v_less.sine}, {}, 2, step_a);
+  const Wire c_turned = r.sum("c_turned", {u_plus.cosine, u_less.cosine}, {v_plus.cosine, v_less.cosine}, 2, step_c);
   VectorWires turned;
-  turned.x = n.add("a", a_turned, r.half_difference("a_flat", at_u.sine, at_v.sine, "YP6G"), formats.a, "YP6G");
-  turned.y = r.half_difference("s", difference, sum, "YP6G");
-  turned.z = n.add("c", c_turned, r.half_sum("c_flat", at_u.cosine, at_v.cosine, "YP6G"), formats.c, "YP6G");
+  turned.x = n.add("a", a_turned, r.half_difference("a_flat", at_u.sine, at_v.sine, step_a), formats.a, step_a);
+  turned.y = r.half_difference("s", difference, sum, step_s);
+  turned.z = n.add("c", c_turned, r.half_sum("c_flat", at_u.cosine, at_v.cosine, step_c), formats.c, step_c);
   return turned;
 }
 

@@ -61,6 +61,43 @@ TEST_CASE("scopes prefix the names of nodes and ports and end where they end") {
   CHECK(n.inputs()[2].name == "a");
 }
 
+TEST_CASE("a label names the step of operators that are recorded without one, the innermost first, and ends where it ends") {
+  Netlist n("unit");
+  const Format word = sfixed(8, 4);
+  const auto source_of = [&](const std::string& name) { return n.nodes().at(static_cast<std::size_t>(n.find(name))).equation; };
+  {
+    Netlist::Label step(n, "step 1");
+    const Wire a = n.input("a", word);
+    n.is_negative("flag", a);
+    n.constant("one", 1, word);
+    n.negate("own", a, word, "Eq 7");
+    {
+      const Netlist::Label inner(n, "step 1a");
+      n.table("read", small_table("AB", ufixed(6, 6)), n.input("x", ufixed(6, 6)));
+      const Netlist::Label none(n, "");
+      n.negate("still_inner", a, word);
+    }
+    n.negate("outer_again", a, word);
+    step.next("step 2");
+    n.negate("second", a, word);
+    step.next("");
+    n.negate("unlabelled", a, word);
+  }
+  n.negate("behind", Wire{n.find("a")}, word);
+  CHECK(source_of("a").empty());
+  CHECK(source_of("x").empty());
+  CHECK(source_of("flag") == "step 1");
+  CHECK(source_of("one") == "step 1");
+  CHECK(source_of("own") == "Eq 7");
+  CHECK(source_of("read") == "step 1a");
+  CHECK(source_of("read.b") == "step 1a");
+  CHECK(source_of("still_inner") == "step 1a");
+  CHECK(source_of("outer_again") == "step 1");
+  CHECK(source_of("second") == "step 2");
+  CHECK(source_of("unlabelled").empty());
+  CHECK(source_of("behind").empty());
+}
+
 TEST_CASE("a table read is one node and a wire per column") {
   Netlist n("unit");
   const TablePtr shared = small_table("AB", ufixed(6, 6));

@@ -99,7 +99,8 @@ TEST_CASE("an operator that hides in a table fails the check of counts") {
   if (!is_there("python3") || !is_there("yosys")) return;
   const Workplace workplace;
   const std::string program = saboteur(
-      workplace, "sed -i 's/^endmodule/  wire [3:0] hidden = i0_0[1:0] * i0_0[3:2]; assign c0_0[0] = ^hidden;\nendmodule/' rtl/table_tl2_DIFF.v");
+      workplace,
+      "sed -i 's/^endmodule/  wire [3:0] hidden = i0_0[1:0] * i0_0[3:2]; assign c0_0[0] = ^hidden;\\nendmodule/' rtl/table_tl2_DIFF.v");
   const Said said = check(workplace, program, "--schemes tl2 --checks counts");
   INFO(said.text);
   CHECK(said.code == 1);
@@ -109,7 +110,8 @@ TEST_CASE("an operator that hides in a table fails the check of counts") {
 TEST_CASE("a wrong word in a ROM is found by the vectors") {
   if (!is_there("python3") || !is_there("verilator")) return;
   const Workplace workplace;
-  const std::string program = saboteur(workplace, "{ [ ! -e rom ] || { sed -i 's/^0/1/' rom/tl2_HAV.hex && sha256sum rom/* >test/roms.sha256; }; }");
+  const std::string program =
+      saboteur(workplace, "{ [ ! -e rom ] || { sed -i 's/^0/1/' rom/tl2_HAV.hex && sha256sum rom/* >test/roms.sha256; }; }");
   const Said said = check(workplace, program, "--schemes tl2 --checks bit_exact --vectors 2000 --quick");
   INFO(said.text);
   CHECK(said.code == 1);
