@@ -52,8 +52,8 @@ class Report:
         versions = self.results["tools"].items()
         tools = ", ".join(f"{TOOLS.get(name, name)} {version}" for name, version in versions)
         self.add("# The Verilog, checked by other people's tools\n\nWritten by `scripts/rtl_report.py` from what `scripts/check_rtl.sh` "
-                 "and `scripts/rtl_equal_quality.sh` measured. `bumpsim rtl` emits each scheme's per-pixel units; every count, latency and "
-                 "area below is what another program says of that Verilog, beside what bumpsim says.\n")
+                 "measured. `bumpsim rtl` emits each scheme's per-pixel units; every count, latency and area below is what another program "
+                 "says of that Verilog, beside what bumpsim says.\n")
         self.add(f"Tools: {tools}. {len(self.results['schemes'])} schemes.")
         absent = [title for check, title in CHECKS.items() if check not in self.results["checks_run"]]
         if absent:
@@ -240,7 +240,7 @@ class Report:
             self.add("## Cycles\n\n`scripts/cosimulate.sh` puts the units, through Verilator's SystemC models, in place of the program's "
                      "own in the stepped engine, on a scene: handshake, words, picture, cycles and statistics are compared. The units are "
                      f"made to wait and to be waited for ({self.results['cycles']['scene']}, {self.results['cycles']['size']} x "
-                     f"{self.results['cycles']['size']}, {settings}): a unit that is a cycle late takes other cycles in all.\n\n"
+                     f"{self.results['cycles']['size']}, {settings}), so that the cycles in all depend on theirs.\n\n"
                      + "\n".join(f"* {c['scheme']}: {c['detail']}" for c in self.of("cycles")))
 
 
@@ -270,6 +270,8 @@ def saving(results):
         if len(data) < 2:
             continue
         lee, peercy = data["lee2007"], data["peercy1997"]
+        if lee["notes"] or peercy["notes"]:
+            continue  # the words are not of equal width
         parts = [lee["synthesised"][part] / peercy["synthesised"][part] - 1 for part in ("operators", "registers")]
         rows.append((f"{width} bits", f"{lee['units']['environment']:.0f}", f"{peercy['units']['environment']:.0f}",
                      percent(lee["units"]["environment"] / peercy["units"]["environment"] - 1),
