@@ -3,6 +3,7 @@
 import json
 
 PARTS = ("operators", "registers", "tables")
+CONVENTIONAL = (("transform", "pixel"), ("normaliser", "divider"))
 SUBJECTS = ("lee2007", "tl0", "lns", "n2l")  # held against the conventional method
 
 
@@ -42,7 +43,7 @@ class Gates:
         ]
         for target in sorted({target for design in document["designs"] for target in design["targets"]}):
             chosen = [d for d in document["designs"] if target in d["targets"]]
-            lines += [f"At {target} dB:\n", absolute(chosen), relative(chosen)]
+            lines += [answer(target, chosen), f"At {target} dB:\n", absolute(chosen), relative(chosen)]
         if document["left_out"]:
             lines.append(f"Not synthesised, being above {document['largest'] / 1000:.0f} k NAND2 by the table of prices: {', '.join(document['left_out'])}.\n")
         return "\n".join(lines)
@@ -62,8 +63,10 @@ def percent(value):
 
 
 def form_of(design):
-    """The choices of a design, "pixel divider" for a baseline."""
-    return " ".join(str(value) for key, value in sorted(design["structure"].items(), reverse=True))
+    """"pixel divider" for a form of the conventional method, else the choices in which it differs from the scheme's defaults."""
+    if design["scheme"] == "peercy1997":
+        return " ".join(design["structure"].get(f"peercy1997.{key}", default) for key, default in CONVENTIONAL)
+    return " ".join(f"{key.split('.')[1]}={value}" for key, value in sorted(design["structure"].items()))
 
 
 def baselines_of(chosen):
@@ -76,6 +79,19 @@ def subjects_of(chosen):
     for d in sorted(chosen, key=lambda d: (d["baseline"], d["gates"])):
         best.setdefault(d["scheme"], d)
     return [best[scheme] for scheme in SUBJECTS if scheme in best and (scheme != "lee2007" or best[scheme]["baseline"])]
+
+
+def answer(target, chosen):
+    """What becomes of the saving, in a sentence for each form of the conventional method that Lee 2007 can be held against."""
+    lee = [d for d in subjects_of(chosen) if d["scheme"] == "lee2007"]
+    lines = []
+    for b in baselines_of(chosen) if lee else []:
+        figures = [(unit, figure, figure_of(lee[0], unit, figure), figure_of(b, unit, figure))
+                   for unit, figure in (("environment", "multipliers"), ("environment", "gates"), (None, "gates"), (None, "energy_pj"))]
+        parts = [percent(mine / theirs - 1) if theirs and mine is not None else "-" for _, _, mine, theirs in figures]
+        lines.append(f"* Lee 2007 at {target} dB against `{form_of(b)}`: {parts[0]} multipliers and {parts[1]} gates in the environment unit, "
+                     f"{parts[2]} gates and {parts[3]} energy in both units.")
+    return "\n".join(lines) + ("\n" if lines else "")
 
 
 def absolute(chosen):

@@ -66,29 +66,33 @@ def statistics(path):
 
 
 def single_bit_assigns(text):
-    """The netlist without `assign {..} = {..}`, which OpenSTA does not read."""
+    """The netlist without assignments of or to `{..}`, which OpenSTA does not read."""
 
-    def bits(side):
-        """Single bits of a concatenation of nets, slices and constants, the highest first."""
-        words = []
-        for word in (word.strip() for word in side.split(",")):
+    def bits(side, count):
+        """Single bits of a concatenation of nets, slices and constants, the highest first; of `count`, if it is one net alone."""
+        words = [word.strip() for word in side.strip().removeprefix("{").removesuffix("}").split(",")]
+        if count and len(words) == 1 and re.fullmatch(r"\w+", words[0]):
+            return [f"{words[0]}[{bit}]" for bit in reversed(range(count))]
+        found = []
+        for word in words:
             constant = re.fullmatch(r"(\d+)'h([0-9a-f]+)", word)
             part = re.fullmatch(r"(\w+)\[(\d+):(\d+)\]", word)
             if constant:
-                words += [f"1'h{bit}" for bit in f"{int(constant[2], 16):0{constant[1]}b}"]
+                found += [f"1'h{bit}" for bit in f"{int(constant[2], 16):0{constant[1]}b}"]
             elif part:
-                words += [f"{part[1]}[{bit}]" for bit in range(int(part[2]), int(part[3]) - 1, -1)]
+                found += [f"{part[1]}[{bit}]" for bit in range(int(part[2]), int(part[3]) - 1, -1)]
             else:
-                words.append(word)
-        return words
+                found.append(word)
+        return found
 
     def split(match):
-        left, right = (bits(side) for side in match.groups())
+        count = max(len(bits(side, 0)) for side in match.groups())
+        left, right = (bits(side, count) for side in match.groups())
         if len(left) != len(right):
             raise tools.ToolFailed(f"an assignment of {len(right)} to {len(left)} words in a netlist of bits")
         return "".join(f"  assign {a} = {b} ;\n" for a, b in zip(left, right))
 
-    return re.sub(r"^\s*assign \{ (.*?) \} = \{ (.*?) \};\n", split, text, flags=re.M)
+    return re.sub(r"^\s*assign (\{[^}]*\}|[^={]*) = (\{[^}]*\}|[^;{]*);\n", lambda m: split(m) if "{" in m[0] else m[0], text, flags=re.M)
 
 
 def without_comments(text):

@@ -58,7 +58,7 @@ def designs(folders, targets, largest):
                 continue
             structure = {**fit["settings"], **pairs(row.get("structure"))}
             settings = {**structure, **pairs(row["widths"])}
-            if row["area_nand2"] > largest:
+            if row["area_nand2"] > largest and path.parent != folders[0]:
                 left_out.add(f"{row['scheme']} at {target} dB")
                 continue
             design = found.setdefault((row["scheme"], tuple(sorted(settings.items()))), {
@@ -116,8 +116,8 @@ def main(argv):
     parser.add_argument("--work", default="build/rtl")
     parser.add_argument("--targets", default="23,30,40,48", help="dB (default: 23,30,40,48)")
     parser.add_argument("--schemes", default="all")
-    parser.add_argument("--largest", type=float, default=100e3, help="NAND2 by the price table above which a design is left out "
-                                                                     "(default: 100000)")
+    parser.add_argument("--largest", type=float, default=100e3, help="NAND2 by the price table above which a design is left out, "
+                                                                     "but for the baselines (default: 100000)")
     parser.add_argument("--no-energy", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     arguments = parser.parse_args(argv)

@@ -28,6 +28,7 @@ std::vector<NamedNetlist> chosen_units(const Design& design, const std::string& 
     if (is_hardware(unit)) hardware += (hardware.empty() ? "" : ", ") + unit.name;
   for (const std::string& name : names) {
     const auto unit = std::find_if(all.begin(), all.end(), [&](const NamedNetlist& known) { return known.name == name; });
+    if (name == "conversion") unit_of(design, scheme, name);  // says why there may be none
     if (unit == all.end())
       throw Error({"scheme " + scheme + " has no unit '" + name + "'", {}, "what becomes Verilog is: " + hardware, hardware});
     if (!is_hardware(*unit))
