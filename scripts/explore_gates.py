@@ -44,6 +44,9 @@ class Gates:
         for target in sorted({target for design in document["designs"] for target in design["targets"]}):
             chosen = [d for d in document["designs"] if target in d["targets"]]
             lines += [answer(target, chosen), f"At {target} dB:\n", absolute(chosen), relative(chosen)]
+        errors = sorted(sum(d["priced"].values()) / d["gates"] - 1 for d in document["designs"])
+        lines.append(f"The table of prices is {percent(errors[0])} to {percent(errors[-1])} off for these {len(errors)} designs, in the middle {percent(errors[len(errors) // 2])}; "
+                     "most of it is in narrow products whose low bits nobody reads.\n")
         if document["left_out"]:
             lines.append(f"Not synthesised, being above {document['largest'] / 1000:.0f} k NAND2 by the table of prices: {', '.join(document['left_out'])}.\n")
         return "\n".join(lines)

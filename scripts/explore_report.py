@@ -114,7 +114,7 @@ def report(work):
           "same picture costs (the map's space and its normals in peercy1997, the readings of the paper's formulas in lee2007). \"Bound\" marks a design whose words, named "
           "under it, ended at the least that the scheme declares where a bit more would cost more: what it costs is an upper bound. \"Not reached\" gives the best "
           "quality of all structures that were tried, at any width. Searches are local: single flips of the answer's choices were looked at, not all combinations.\n")
-    headline(rows, held)
+    headline(rows, held, gates)
     for target in TARGETS:
         print(f"## At {target} dB\n")
         measured, rule = ("synthesised area | energy of the cells | ", "--:|--:|") if gates.any() else ("", "")
@@ -176,8 +176,12 @@ def takes_object_angles(row):
     return row["scheme"] not in TANGENT_SPACE and all(row["settings"].get(key) != value for key, value in TANGENT_SPACE_IF)
 
 
-def headline(rows, held):
+def headline(rows, held, gates):
     """What a designer should build, in numbers of this very table."""
+    def synthesised(row):
+        area, _ = gates.of(row)
+        return f", {area:.0f} by synthesis" if area else ""
+
     print("## In short\n")
     lee = max((row for row in rows if row["scheme"] == "lee2007"), key=lambda row: row["psnr_worst_db"])
     print(f"* Lee 2007 with the paper's formulas reaches {lee['psnr_worst_db']:.1f} dB on the worst of the three scenes at most, whatever its structure and widths.")
@@ -188,14 +192,14 @@ def headline(rows, held):
             continue
         best = min(reached, key=lambda row: row["area_nand2"])
         thrifty = min(reached, key=lambda row: row["energy_pj_per_fragment"])
-        text = (f"* At {target} dB the least area is {name(best)}: {best['area_nand2']:.0f} NAND2{' (an upper bound)' if best['upper_bound'] else ''}, {best['multipliers']} multipliers, {best['table_kilobytes']:.2f} KB of tables; "
+        text = (f"* At {target} dB the least area is {name(best)}: {best['area_nand2']:.0f} NAND2{' (an upper bound)' if best['upper_bound'] else ''}{synthesised(best)}, {best['multipliers']} multipliers, {best['table_kilobytes']:.2f} KB of tables; "
                 f"on the scenes not used to choose it {number(held(best, 'brick_torus'), 1)} dB (brick_torus) and {number(held(best, 'bunny'), 1)} dB (bunny). "
                 f"The least energy is {name(thrifty)} with {thrifty['energy_pj_per_fragment']:.1f} pJ.")
         published = [row for row in reached if row["scheme"] in PUBLISHED]
         if published:
             theirs = min(published, key=lambda row: row["area_nand2"])
             text += (f" The smallest published design is {name(theirs)} with {theirs['area_nand2']:.0f} NAND2 "
-                     f"({theirs['area_nand2'] / best['area_nand2']:.1f} times) and {theirs['energy_pj_per_fragment']:.1f} pJ.")
+                     f"({theirs['area_nand2'] / best['area_nand2']:.1f} times{synthesised(theirs)}) and {theirs['energy_pj_per_fragment']:.1f} pJ.")
         else:
             text += " No published design reaches it."
         anywhere = [row for row in reached if (held(row, "bunny") or 0) >= target - 2]
