@@ -58,6 +58,8 @@ class Report:
         absent = [title for check, title in CHECKS.items() if check not in self.results["checks_run"]]
         if absent:
             self.add(f"**Not all of it: the run had no {', '.join(absent)}.**")
+        command = f"scripts/check_rtl.sh{' --full' if self.results['full'] else ''}"
+        self.add(f"This copy: `{command}`, {self.results['seconds'] / 60:.0f} minutes with {self.results['jobs']} tasks side by side.")
         reused, made = self.results["taken_from_earlier_runs"], self.results["synthesised"]
         if reused:
             self.add(f"{reused} of the {reused + made} syntheses for areas and clocks are those of earlier runs, of the same Verilog with the "
