@@ -20,7 +20,8 @@ def fits(work):
             if row["status"] in ("reached", "not_reached"):
                 row["settings"] = {**fit["settings"], **{choice["key"]: choice["value"] for choice in row["choices"] if choice["value"] != choice["given"]}}
                 row["prices"] = fit["prices"]
-                rows.append(row)
+                if all(key_of(row) != key_of(other) or row["psnr_target_db"] != other["psnr_target_db"] for other in rows):
+                    rows.append(row)  # a search may arrive where another was told to begin
     return rows
 
 

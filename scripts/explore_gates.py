@@ -33,22 +33,24 @@ class Gates:
             "## In gates\n",
             "The same designs as the Verilog of `bumpsim rtl`, without queues: Yosys and ABC map operators, registers and tables onto open 0.18 um cells (OSU, typical, 1.8 V; NAND2X1 = 24 um2). "
             f"Energy: Icarus Verilog runs the mapped netlists with the cells' delays over {document['cycles']} random vectors, compares the results, and OpenSTA takes the changes of every net. Clock tree, wires, "
-            "queues, interpolators and texture are in no figure; random words change more often than those of neighbouring pixels, so energies are to be compared with one another only. "
+            "queues, and with them the words that only pass a unit (the columns by price have their registers), interpolators, vertex work and texture are in no figure; random words change more often than those of neighbouring pixels, so energies are to be compared with one another only. "
             "Written from what `scripts/rtl_equal_quality.sh` measured "
             f"({', '.join(f'{tool} {version}' for tool, version in document['tools'].items() if tool in ('yosys', 'iverilog', 'sta'))}).\n",
             "### Does \"78 % fewer multiplications\" hold in gates?\n",
             "Lee 2007's environment unit multiplies 6 times, the conventional one 27 times. Designs in the structures of the papers, with the widths that `bumpsim fit` found, "
             "against four forms of the conventional method: transform per pixel or at the vertices, normalised by dividers or by a table. \"Environment\" is that unit alone, \"all\" "
             "has the illumination unit, too.\n",
+            "How to read it: the least of the targets is just below what Lee 2007's formulas allow, so that its words must be nearly exact while those of the others may be coarse; at equal words see "
+            "[rtl.md](rtl.md). And interpolators are several times larger than these units and differ between the methods: [better_designs.md](better_designs.md) has them, scheme by scheme.\n",
         ]
         for target in sorted({target for design in document["designs"] for target in design["targets"]}):
             chosen = [d for d in document["designs"] if target in d["targets"]]
-            lines += [answer(target, chosen), f"At {target} dB:\n", absolute(chosen), relative(chosen)]
+            lines += [answer(target, chosen), f"At {target} dB:\n", absolute(chosen), relative(chosen), widths(chosen)]
         errors = sorted(sum(d["priced"].values()) / d["gates"] - 1 for d in document["designs"])
         lines.append(f"The table of prices is {percent(errors[0])} to {percent(errors[-1])} off for these {len(errors)} designs, in the middle {percent(errors[len(errors) // 2])}; "
-                     "most of it is in narrow products whose low bits nobody reads.\n")
+                     "mostly narrow products whose low bits nobody reads.\n")
         if document["left_out"]:
-            lines.append(f"Not synthesised, being above {document['largest'] / 1000:.0f} k NAND2 by the table of prices: {', '.join(document['left_out'])}.\n")
+            lines.append(f"Not synthesised, being above {document['largest'] / 1000:.0f} k NAND2 by the table of prices (the forms of the conventional method were, whatever their size): {', '.join(document['left_out'])}.\n")
         return "\n".join(lines)
 
 
@@ -104,7 +106,7 @@ def absolute(chosen):
         energy = f"{d['energy_pj']:.0f}" if "energy_pj" in d else "-"
         clocked = f"{100 * d['energy_clocked_pj'] / d['energy_pj']:.0f} %" if "energy_pj" in d else "-"
         rows.append((name, f"{d['psnr_worst_db']:.1f}", d["multipliers"], *(f"{d['synthesised'][part]:.0f}" for part in PARTS), f"{d['gates']:.0f}", energy, clocked))
-    head = ("design", "PSNR, worst of three", "multipliers", *PARTS, "NAND2", "pJ a fragment", "of which flip-flops")
+    head = ("design", "PSNR, worst of three", "multipliers", *PARTS, "NAND2", "pJ a fragment", "of the energy, in flip-flops")
     return table(head, rows, 1)
 
 
@@ -120,6 +122,16 @@ def relative(chosen):
             rows.append((d["scheme"], form_of(b), *cells))
     parts = ("environment", "all")
     return table(("design", "against peercy1997", *(f"{part}: {figure}" for part in parts for figure in ("multipliers", "gates", "energy"))), rows, 2)
+
+
+def widths(chosen):
+    """What makes the designs again, as settings of a run without the scheme's name in front."""
+    lines = []
+    for d in subjects_of(chosen) + baselines_of(chosen):
+        settings = {**d["structure"], **dict(pair.split("=") for pair in d["widths"].split())}
+        text = " ".join(f"{key}={value}" for key, value in settings.items()).replace(d["scheme"] + ".", "")
+        lines.append(f"* {d['scheme']}: {text}")
+    return "\n".join(lines) + "\n"
 
 
 def figure_of(design, unit, figure):

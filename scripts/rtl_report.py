@@ -59,7 +59,8 @@ class Report:
         if absent:
             self.add(f"**Not all of it: the run had no {', '.join(absent)}.**")
         command = f"scripts/check_rtl.sh{' --full' if self.results['full'] else ''}"
-        self.add(f"This copy: `{command}`, {self.results['seconds'] / 60:.0f} minutes with {self.results['jobs']} tasks side by side.")
+        self.add(f"This copy: `{command}`, {self.results['seconds'] / 60:.0f} minutes with {self.results['jobs']} tasks side by side"
+                 + (", syntheses of earlier runs not counted." if self.results["taken_from_earlier_runs"] else "."))
         reused, made = self.results["taken_from_earlier_runs"], self.results["synthesised"]
         if reused:
             self.add(f"{reused} of the {reused + made} syntheses for areas and clocks are those of earlier runs, of the same Verilog with the "
@@ -128,7 +129,7 @@ class Report:
         self.add("## Counts\n\nCells that Yosys finds before it maps anything (`read_verilog; hierarchy; proc; memory -nomap`), dividers, "
                  "roots and ROMs being modules of their own. They are what the inventory says, unit by unit and in all "
                  "(`operators_all`), also with multipliers shared; no operator is anywhere else; a row that differs would be among the "
-                 "failures above. Registers are those of the pipeline, between operators and inside those of several cycles.")
+                 "failures above. Additions to a published design are in it, and the Verilog names them. Registers are those of the pipeline, between operators and inside those of several cycles.")
         self.add(table(("scheme", "unit", "multipliers", "adders", "dividers", "square roots", "tables", "register bits"), rows, 2))
         if notes:
             self.add("What `opt` takes away, being redundant for the constants or the structure of the unit:\n\n" + "\n".join(notes))
@@ -166,7 +167,7 @@ class Report:
         schemes = sorted({scheme for scheme, _ in by})
         self.add("## Area\n\nOpen 0.18 um cells (OSU, typical, 1.8 V; NAND2X1 = 24 um2): Yosys flattens the datapath and maps it with ABC, "
                  "ROMs as black boxes; each ROM is synthesised into gates on its own. The table of prices `osu018_model` is held against "
-                 "it without having been fitted to these designs. The queue and handshake around a datapath are apart. Words have the "
+                 "it; its operators and registers were not fitted to these designs, its tables to other images of the same functions. The queue and handshake around a datapath are apart. Words have the "
                  "stated width wherever a scheme has a parameter for one, tables of a quarter turn 2^(w-2) words and at most 2^10 "
                  "(scripts/rtl/settings.toml).")
         exceptions = self.results["exceptions"]
@@ -179,10 +180,13 @@ class Report:
             lines.append(f"* {title}: {', '.join(spans)}; the check allows {percent(low)} to {percent(high)}.")
         logic = sorted(by[s, w]["errors"]["logic"] for s in usual for w in widths if (s, w) in by)
         for scheme, exception in exceptions.items():
-            spans = [f"{percent(by[scheme, w]['errors']['operators'])} at {w} bits" for w in widths if (scheme, w) in by]
+            spans = [f"{percent(by[scheme, w]['errors']['operators'])} and {percent(by[scheme, w]['errors']['logic'])} at {w} bits"
+                     for w in widths if (scheme, w) in by]
             if spans:
-                lines.append(f"* {scheme} is apart, operators {', '.join(spans)}: {exception['reason']}.")
-        self.add("Error of the table of prices against synthesis:\n\n" + "\n".join(lines))
+                lines.append(f"* {scheme} is apart, operators, and operators and registers together, {', '.join(spans)}: "
+                             f"{exception['reason']}.")
+        self.add("Error of the table of prices against synthesis"
+                 + (f", without {', '.join(exceptions)} but for its own line" if exceptions else "") + ":\n\n" + "\n".join(lines))
         if logic:
             self.add(f"Of {len(logic)} designs the median of operators and registers together is {percent(logic[len(logic) // 2])}. The "
                      "table prices components that were synthesised alone; in a design the low bits of products that nobody reads are "
@@ -198,7 +202,8 @@ class Report:
                 errors = " ".join(signed(data["errors"][part]) if part in data["errors"] else "-" for part in PARTS)
                 row += [f"{data['synthesised']['total']:.0f}", errors]
             rows.append(row)
-        self.add("NAND2 by synthesis, and the error of the price table in operators, registers, tables and all, in per cent:\n")
+        self.add("NAND2 by synthesis, and the error of the price table in operators, registers, tables and all, in per cent (-: less than "
+                 "100 NAND2):\n")
         self.add(table(("scheme", *(text for w in widths for text in (f"{w} bits", "error, %"))), rows))
         notes = sorted({f"* {s} at {w} bits: {note}" for (s, w), data in by.items() for note in data["notes"]})
         if notes:
@@ -234,7 +239,10 @@ class Report:
             rows.append((check["scheme"], data["cells"], f"{data['percent']} %", data["shift_registers"], clock))
         self.add("## Place and route\n\nnextpnr on a Lattice iCE40 HX8K, words of 8 bits, no DSP blocks, all units with their queues and "
                  "with ROMs as logic, ports on shift registers because the chip has fewer pins; these are in the cells.")
-        self.add(table(("scheme", "logic cells", "of the chip", "shift registers", "MHz"), rows))
+        self.add(table(("scheme", "logic cells", "of the chip", "of which shift registers", "MHz"), rows))
+        notes = [f"* {check['scheme']}: {note}" for check in checks for note in check["data"]["notes"]]
+        if notes:
+            self.add("Out of a scheme's range:\n\n" + "\n".join(notes))
 
     def cycles(self):
         settings = ", ".join(f"{key}={value}" for key, value in self.results["cycles"]["settings"].items())
@@ -256,8 +264,8 @@ MEANING = {
     "registers": "Yosys finds the register bits between and inside operators, as priced",
     "handshake": "Yosys finds the wrapper's register and queue bits",
     "dsp_ice40": "blocks as the widths ask for", "dsp_ecp5": "blocks as the widths ask for", "dsp_xilinx": "blocks as the widths ask for",
-    "area": "the table of prices stays in its bands", "area_handshake": "synthesised, no claim", "clock": "a path is found and no tool "
-                                                                                                          "complains",
+    "area": "the table of prices stays in its bands", "area_handshake": "synthesised, no claim", "clock": "no tool complains; a period, "
+                                                                                                          "where a register feeds another",
     "place_route": "placed and routed, or too large", "cycles": "the same picture and cycles with the Verilog in place of the models"}
 
 
@@ -283,7 +291,8 @@ def saving(results):
     head = ("words", "lee2007, environment", "peercy1997, environment", "environment", "both units: operators", "registers",
             "both units: all, with tables")
     return ("## 78 % fewer multiplications, in gates\n\nThe environment unit of Lee 2007 multiplies 6 times where the conventional one does "
-            "27 times: 78 % fewer. NAND2 of the areas above, at equal words, per-pixel transform and array dividers:\n\n"
+            "27 times: 78 % fewer. NAND2 of the areas above, at equal words, against Peercy 1997 with its transform and array dividers in "
+            "every pixel; without widths that one of the two does not have. Tables have 2^10 words at most, whatever the width.\n\n"
             + table(head, rows) + "\nAt equal quality, with energy: [pareto.md](pareto.md#in-gates).\n")
 
 

@@ -150,7 +150,7 @@ def report():
     text = f"Plain tables are the smallest in {len(plain_wins)} of {rows} rows"
     if others:
         text += f"; the first that is not has 2^{others[0][0]} words ({others[0][1]})"
-    print(text + ". The designs above read tables of 2^3 to 2^8 words, so neither kind is an option of theirs. This holds for tables made of gates, "
+    print(text + ". This project's designs above read tables of 2^3 to 2^8 words, so neither kind is an option of theirs. This holds for tables made of gates, "
           "whose area grows slower than their bits. Where a table is a memory that is paid by the bit, the bits in brackets count"
           + (f": a bipartite cosine has fewer from k = {min(fewer)} on" if fewer else "") + ".\n")
     eighth()
