@@ -159,7 +159,8 @@ class Children {
       while (begun_ < tasks_.size() && running_.size() < jobs && begin(begun_)) ++begun_;
       listen();
       stop_if_cancelled();
-      if (options_.progress) options_.progress(share());
+      told_ = std::max(told_, share());  // sums of the same shares in another order differ in their last bits
+      if (options_.progress) options_.progress(told_);
     }
     return std::move(outcomes_);
   }
@@ -258,6 +259,7 @@ class Children {
   std::vector<Child> running_;
   std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 16);
   std::size_t begun_ = 0, ended_ = 0;
+  double told_ = 0;  ///< share of the work that was reported last
 };
 
 }  // namespace
