@@ -7,23 +7,12 @@
 #include "testbench/program/interrupt.h"
 #include "testbench/program/rtl_folder.h"
 #include "testbench/program/rtl_manifest.h"
+#include "testbench/program/shell_word.h"
 #include "testbench/program/shipped_scenes.h"
 #include "testbench/scene/only_material.h"
 #include "testbench/scene/scene_file.h"
 
 namespace bump {
-
-namespace {
-
-/// As a shell takes it for one word.
-std::string quoted(const std::string& path) {
-  if (path.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=,") == std::string::npos) return path;
-  std::string text = "'";
-  for (const char letter : path) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return text + "'";
-}
-
-}  // namespace
 
 int rtl_command(const RtlArguments& arguments) {
   watch_interrupts();
@@ -49,7 +38,7 @@ int rtl_command(const RtlArguments& arguments) {
     return 0;
   }
   fmt::print("{}{}: {} files; next: make -C {} check\n", rtl_summary(emission), arguments.out, emission.files.size(),
-             quoted(arguments.out));
+             shell_word(arguments.out));
   return 0;
 }
 

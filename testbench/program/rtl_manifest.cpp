@@ -4,6 +4,7 @@
 
 #include "datapath/invariant.h"
 #include "testbench/program/rtl_folder.h"
+#include "testbench/program/shell_word.h"
 #include "testbench/program/version.h"
 
 namespace bump {
@@ -112,7 +113,7 @@ std::string rtl_summary(const Emission& emission) {
 
 std::string rtl_readme(const Emission& emission, const Configuration& configuration, const EmissionOptions& options) {
   const Json changed = changes_of(configuration);
-  std::string changes = options.scene.empty() ? "" : " --scene " + options.scene;
+  std::string changes = options.scene.empty() ? "" : " --scene " + shell_word(options.scene);
   for (const std::string& unit : options.units) changes += " --unit " + unit;
   for (const auto& [key, value] : changed.items())
     changes += fmt::format(" --set {}={}", key, to_string(configuration.entries().at(key).value));

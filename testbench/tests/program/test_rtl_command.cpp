@@ -111,6 +111,9 @@ TEST_CASE("tables have the words of a scene's material") {
   CHECK(Json::parse(first.at("rtl.json"))["scene"].is_null());
   CHECK(Json::parse(second.at("rtl.json"))["scene"] == "shiny.toml");
   CHECK_THAT(second.at("README.md"), Contains("`bumpsim rtl lee2007 --scene shiny.toml`"));
+  fs::copy(folder.path() / "shiny.toml", folder.path() / "my own.toml");
+  REQUIRE(bumpsim("rtl lee2007 --vectors 10 --scene 'my own.toml' --out own", folder.path()).code == 0);
+  CHECK_THAT(files_of(folder.path() / "own").at("README.md"), Contains("--scene 'my own.toml'`"));
   const Outcome two = bumpsim("rtl lee2007 --scene two.toml --out two", folder.path());
   CHECK(two.code == 2);
   CHECK_THAT(two.err, Contains("several materials"));
